@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ombrage/renderer.h>
+#include <ombrage/scene.h>
+
+namespace ombrage {
+
+/// Progress of long work: a line to show and the share done in [0,1]. Returning false stops it with Error(Interrupted).
+using Report = std::function<bool(const std::string& what, double share)>;
+
+/// "METRIC OP NUMBER" with an optional technique: "shadow/map.wrong>0.01", "rmse>=0.2". Meets a record when it is true.
+struct Gate {
+    std::string text;
+    std::string technique;   ///< full id (or pipeline text); empty: every one
+    std::string metric;
+    char op = '>';           ///< '>' or '<'
+    bool orEqual = false;
+    double bound = 0;
+};
+
+/// @throws Error(Usage) naming the unknown metric or technique.
+Gate parseGate(const std::string& text);
+
+struct CompareRequest {
+    std::vector<std::string> scenes;             ///< names or files
+    SceneOptions sceneOptions;
+    std::vector<std::pair<Family, Pipeline>> pipelines;   ///< asked for by name: an unsupported light is an error
+    std::vector<Family> allOf;                   ///< every technique of these families that supports the light
+    RenderSettings base;                         ///< size, camera, light, seed, shading ...
+    int truthSamples = 0;                        ///< 0: the truth's own default
+    std::string truthKind;                       ///< "" by family; "shadow" or "T1"
+    std::vector<Gate> failOn;
+    std::filesystem::path outputDir;             ///< pictures, records.jsonl, report.html
+    std::vector<std::string> commandLine;        ///< for the report
+    Report progress;
+};
+
+struct SkippedPair {
+    std::string scene, technique, reason;
+};
+
+struct CompareResult {
+    std::vector<std::string> records;            ///< one JSON document each: ombrage/record/1
+    std::vector<SkippedPair> skipped;
+    std::vector<std::string> failedGates;        ///< sentences
+    std::filesystem::path report;
+    bool interrupted = false;
+    /// {"schema":"ombrage/records/1","records":[...],"skipped":[...]}
+    std::string json() const;
+};
+
+/// Renders every scene with every pipeline, holds each against the ray-traced truth of the same scene and light, and writes
+/// pictures, error maps, records and the report. Work done before an interruption is kept.
+CompareResult compare(const CompareRequest& request, const RendererOptions& renderer);
+
+/// Makes report.html from a folder that compare() wrote. @throws Error(Input) when there are no records.
+std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output = {});
+
+}  // namespace ombrage

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <ombrage/image.h>
+#include <ombrage/scene.h>
+
+namespace ombrage {
+
+/// The ray-traced truth of a scene, made on the CPU (Embree, robust mode). It knows nothing of techniques or OpenGL.
+/// Same scene, options and seed give the same bits, whatever the thread count.
+
+/// Called with the share done in [0,1]; returning false stops the work with Error(Interrupted).
+using Progress = std::function<bool(double)>;
+
+struct ReferenceOptions {
+    int width = 640;
+    int height = 360;
+    int samplesPerPixel = 0;   ///< per receiver; 0: 1 for hard lights, 1024 for soft ones, 256 for ao. Rounded up to
+                               ///< a multiple of kScramblings.
+    std::uint64_t seed = 1;
+    int threads = 0;           ///< 0: all
+    Progress progress;
+};
+
+/// Independent scramblings of the Sobol points, from which standard errors come.
+inline constexpr int kScramblings = 8;
+
+/// Receiver of one pixel: the primary hit through the pixel centre.
+struct Receivers {
+    int width = 0, height = 0;
+    std::vector<std::uint32_t> instance;   ///< index into Scene::instances, kNoHit for sky
+    std::vector<std::uint32_t> triangle;   ///< index over all triangles of all instances in order, kNoHit for sky
+    std::vector<glm::vec2> barycentric;    ///< weights of the second and third vertex
+    std::vector<glm::vec3> normal;         ///< n_g, unit, on the side seen
+    std::vector<glm::vec3> shadingNormal;  ///< interpolated n_s, unit, on the side of n_g
+    std::vector<float> distance_m;         ///< along the primary ray
+    std::vector<float> pixelSize_m;        ///< world size of one pixel there
+};
+
+inline constexpr std::uint32_t kNoHit = 0xffffffffu;
+
+/// Why a pixel is not measured.
+enum class Mask : std::uint8_t { Valid = 0, Sky = 1, BelowHorizon = 2, NotReceiving = 3, OutOfRange = 4, Disagree = 5 };
+
+/// Truth of one light's visibility. All arrays are width*height, row 0 at the top.
+struct ShadowTruth {
+    int width = 0, height = 0;
+    int samplesPerPixel = 0;
+    bool soft = false;                      ///< the light has a size
+    std::vector<float> visibility;          ///< v*: share of the light seen
+    std::vector<float> standardError;       ///< of v*, from the scramblings; 0 for hard lights
+    std::vector<float> irradianceShare;     ///< the irradiance-weighted share
+    std::vector<float> irradiance;          ///< unshadowed irradiance (luminance), the weight of wrong_lit
+    std::vector<float> cosine;              ///< n_g . l to the light's centre
+    std::vector<float> blockerDistance_m;   ///< nearest blocker along the ray to the light's centre, +inf when none
+    std::vector<float> lightDistance_m;     ///< to the light's centre; +inf for suns
+    std::vector<std::uint32_t> blockerInstance;  ///< of that blocker, kNoHit when none
+    std::vector<Mask> mask;
+    double meanStandardError = 0;           ///< over valid pixels
+    double maskedShare = 0;                 ///< of all pixels that are not sky
+};
+
+/// Truth of ambient visibility (T1: cosine-weighted about the shading normal, occluders nearer than the scene's radius).
+struct AoTruth {
+    int width = 0, height = 0;
+    int samplesPerPixel = 0;
+    float radius_m = 0;
+    std::vector<float> visibility;
+    std::vector<float> standardError;
+    std::vector<Mask> mask;
+    double meanStandardError = 0;
+    double maskedShare = 0;
+};
+
+/// The scene's triangles in a ray-tracing structure. Immutable after construction; safe to use from several threads.
+class Reference {
+public:
+    /// The scene must outlive the reference. @throws Error(Environment) when Embree cannot start.
+    explicit Reference(const Scene& scene);
+    ~Reference();
+    Reference(const Reference&) = delete;
+    Reference& operator=(const Reference&) = delete;
+
+    Receivers receivers(const Camera& camera, const ReferenceOptions& options) const;
+    ShadowTruth shadow(const Receivers& receivers, const Camera& camera, int light, const ReferenceOptions& options) const;
+    AoTruth ao(const Receivers& receivers, const Camera& camera, const ReferenceOptions& options) const;
+
+    /// Direct light of all lights with the truth's visibility plus ambient times AO: linear RGB, Lambert surfaces with
+    /// their textures, for looking at.
+    Image picture(const Receivers& receivers, const Camera& camera, const ReferenceOptions& options) const;
+
+    /// T1 (or, with an infinite radius, T4) at one free point, for closed-form tests: mean and standard error.
+    struct Estimate { double mean = 0, standardError = 0; };
+    Estimate aoAt(const glm::dvec3& point, const glm::dvec3& normal, double radius_m, int samples, std::uint64_t seed) const;
+    Estimate shadowAt(const glm::dvec3& point, const glm::dvec3& normal, int light, int samples, std::uint64_t seed) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Marks valid pixels whose triangle differs from what the rasteriser saw as Mask::Disagree and updates maskedShare.
+/// @param instance, triangle as in Receivers, read back from a G-buffer of the same size.
+void maskDisagreement(std::vector<Mask>& mask, double& maskedShare, const Receivers& receivers,
+                      const std::vector<std::uint32_t>& instance, const std::vector<std::uint32_t>& triangle);
+
+}  // namespace ombrage

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ombrage/image.h>
+#include <ombrage/metrics.h>
+#include <ombrage/scene.h>
+#include <ombrage/technique.h>
+
+namespace ombrage {
+
+enum class NormalSource { Geometry, Bump, Map };
+enum class Shading { Phong, Blinn, Pbr };
+enum class Composite { Lighting, Modulate, Overlay };
+enum class AmbientTerm { Constant, Ao, Off };
+
+struct RendererOptions {
+    std::string device;       ///< "" best with fallback, "software", or an EGL device index
+    std::string shaderDir;    ///< read shaders from here instead of the embedded ones
+    bool debugContext = false;///< a KHR_debug context; messages end in RenderResult::debugMessages
+};
+
+/// What to render. Lists of techniques are pipelines: each element feeds the next.
+struct RenderSettings {
+    int width = 640, height = 360;
+    std::string camera;                    ///< "" the first
+    std::string light;                     ///< "" all lights
+    Pipeline shadow{{"shadow/none", {}}};
+    Pipeline ao{{"ao/none", {}}};
+    Pipeline indirect{{"indirect/none", {}}};
+    Pipeline aa{{"aa/none", {}}};
+    NormalSource normals = NormalSource::Map;
+    Shading shading = Shading::Blinn;
+    Composite composite = Composite::Lighting;
+    double overlayOpacity = 0.5;
+    AmbientTerm ambient = AmbientTerm::Ao;
+    double time_s = 0;
+    int frames = 1;                        ///< frames rendered; the last one is returned, times cover all but warmup
+    int warmupFrames = 0;
+    std::uint64_t seed = 1;
+    std::vector<std::string> show;         ///< pictures wanted beside the final one, by name; "all" for every one
+    std::map<int, Image> givenVisibility;  ///< per light index: use this visibility in the shadow pipeline's place
+};
+
+struct Stats { double median = 0, p95 = 0; };
+
+struct PassCost {
+    std::string name;
+    Stats gpu_ms;
+    std::uint64_t draws = 0, triangles = 0;
+};
+
+struct DeviceInfo {
+    std::string renderer, vendor, version;
+    bool software = false;
+    std::string clock;        ///< "timestamp" or "wall"
+};
+
+struct RenderResult {
+    Image picture;                              ///< linear RGB, before sRGB encoding; after aa
+    std::map<std::string, Image> shown;         ///< name -> picture
+    std::map<int, Image> visibility;            ///< per light index, one plane
+    std::optional<Image> ao;                    ///< one plane
+    std::map<int, TexelFootprint> footprint;    ///< per light index
+    std::vector<std::uint32_t> instance, triangle;  ///< ids of the G-buffer, row 0 at the top
+    std::vector<PassCost> passes;
+    Stats gpu_ms;
+    double cpu_ms = 0;
+    std::uint64_t gpuBytes = 0;                 ///< render targets and technique buffers, not the scene's own
+    std::map<std::string, double> counters;
+    std::vector<std::string> warnings;
+    std::vector<std::string> debugMessages;
+};
+
+/// Draws scenes off screen. One per thread and context; every call makes its context current and leaves it so.
+class Renderer {
+public:
+    /// Makes a headless context. @throws Error(Environment) with what was tried.
+    explicit Renderer(const RendererOptions& options = {});
+
+    /// Uses the context that is current in the calling thread; its state is restored after every call.
+    struct AdoptCurrent {};
+    Renderer(AdoptCurrent, const RendererOptions& options = {});
+
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Uploads the scene; it must stay alive until the next setScene.
+    void setScene(const Scene& scene);
+
+    /// @throws Error(Usage) for unknown names or a light that the technique does not support.
+    RenderResult render(const RenderSettings& settings);
+
+    const DeviceInfo& device() const;
+
+    /// Names that RenderSettings::show takes with these settings, with a sentence each.
+    std::vector<PassInfo> showNames(const RenderSettings& settings) const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// One line of `ombrage doctor`.
+struct DoctorCheck {
+    std::string name;
+    std::string verdict;   ///< "ok", "missing", "fallback", "failed"
+    std::string detail;
+};
+
+/// Tries what the program needs and says what is in use; never throws.
+std::vector<DoctorCheck> runDoctor(const RendererOptions& options = {});
+
+}  // namespace ombrage

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gl/gpu_timer.h"
+#include "gl/objects.h"
+#include "gl/shader_library.h"
+#include "render/gpu_scene.h"
+#include "render/target_pool.h"
+#include "scene/camera_view.h"
+
+namespace ombrage {
+
+class Technique;
+
+/// The picture's geometry, one texel per pixel. Depth 0 is the sky.
+struct GBuffer {
+    gl::Texture depth;      ///< D32F, or D32F_S8 when a technique needs stencil; reversed-Z
+    gl::Texture normals;    ///< RGBA16: octahedral n_g in xy, n_s in zw, both towards the eye (ombrage/gbuffer.glsl decodes)
+    gl::Texture albedo;     ///< SRGB8_ALPHA8: base colour
+    gl::Texture material;   ///< RGBA8: metallic, roughness, specular luminance, shininess/256
+    gl::Texture ids;        ///< RG32UI: instance, global triangle; ~0 for sky
+    gl::Framebuffer framebuffer;
+};
+
+/// A light in the space moved by the scene's origin.
+struct LightFrame {
+    int index = 0;               ///< into Scene::lights
+    const Light* light = nullptr;
+    glm::vec3 position{0.0f};    ///< of its centre; meaningless for suns
+    glm::vec3 direction{0, -1, 0};
+    /// Towards the light's centre, homogeneous: (position, 1), or (-direction, 0) for a sun.
+    glm::vec4 toward() const;
+};
+
+/// How `--show` turns a texture into a picture.
+enum class ShowAs {
+    Value,        ///< red channel as grey
+    Color,        ///< RGB, linear
+    Depth01,      ///< depth in [0,1], stretched between the smallest and largest value below 1
+    ReversedDepth,///< reversed-Z depth, shown as near/(depth) stretched
+    Count,        ///< unsigned count from a red integer texture, stretched
+    Stencil       ///< the stencil plane of a depth-stencil texture, difference from 128 stretched about grey
+};
+
+/// What a technique sees of the frame, and its way to record passes and intermediates.
+class FrameContext {
+public:
+    int width = 0, height = 0;
+    const Scene* scene = nullptr;
+    GpuScene* gpuScene = nullptr;
+    GBuffer* gbuffer = nullptr;
+    CameraView view;
+    CameraView previousView;
+    std::uint32_t seed = 1;
+    std::uint32_t frameIndex = 0;
+    NormalSource normals = NormalSource::Map;
+    gl::ShaderLibrary* shaders = nullptr;
+    TargetPool* targets = nullptr;
+    gl::Buffer* frameBlock = nullptr;   ///< std140 block of ombrage/frame.glsl, bound at kFrameBinding
+
+    /// A named span of GPU work: debug group, timer span and, in the record, a row. Spans do not nest.
+    class Pass {
+    public:
+        Pass(FrameContext& frame, const std::string& name);
+        ~Pass();
+        Pass(const Pass&) = delete;
+        Pass& operator=(const Pass&) = delete;
+
+    private:
+        FrameContext& m_frame;
+        gl::DebugGroup m_group;
+    };
+    Pass pass(const std::string& name) { return Pass(*this, name); }
+
+    /// Counts draws and triangles into the open pass.
+    void countDraw(std::uint64_t draws, std::uint64_t triangles);
+
+    /// A number for the record ("rays", "volumes clamped"); summed over lights.
+    void counter(const std::string& name, double value);
+
+    /// Offers an intermediate to `--show`. Call only when wants(name); the texture is read back at once.
+    void expose(const std::string& name, const gl::Texture& texture, ShowAs how, int layer = 0);
+    bool wants(const std::string& name) const;
+
+    void warn(const std::string& message);
+
+    /// The program of a technique: its virtual include "FAMILY/NAME/params" and its defines are added from its
+    /// parameters, and its uniform block is uploaded and bound at kParamsBinding.
+    const gl::Program& program(Technique& technique, std::vector<gl::ShaderStage> stages,
+                               std::vector<std::pair<std::string, std::string>> defines = {});
+    /// A program of its own folder-free sources ("ombrage/..." and "shared/...").
+    const gl::Program& program(std::vector<gl::ShaderStage> stages, std::vector<std::pair<std::string, std::string>> defines = {});
+
+    /// Compute or fragment? Full-screen pass helper: vertex stage "ombrage/fullscreen.vert" and the given fragment stage.
+    const gl::Program& fullscreenProgram(Technique& technique, const std::string& fragmentPath,
+                                         std::vector<std::pair<std::string, std::string>> defines = {});
+
+    struct Recorder;
+    Recorder* recorder = nullptr;   ///< owned by the Renderer
+};
+
+/// Uniform block bindings and texture units that every shader agrees on (ombrage/bindings.glsl holds the same numbers).
+inline constexpr unsigned kFrameBinding = 0;
+inline constexpr unsigned kParamsBinding = 1;
+inline constexpr unsigned kLightBinding = 2;
+inline constexpr unsigned kInstanceStorage = 0;    ///< b_instances
+inline constexpr unsigned kMaterialStorage = 1;    ///< b_materials
+inline constexpr unsigned kUnitDepth = 0, kUnitNormals = 1, kUnitAlbedo = 2, kUnitMaterial = 3, kUnitIds = 4;
+inline constexpr unsigned kFirstFreeUnit = 5;      ///< techniques' own textures start here
+inline constexpr unsigned kUnitMaterialTextures = 16;  ///< base colour, normal, height, metallic-roughness, emissive
+
+}  // namespace ombrage

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "gl/objects.h"
+#include "scene/flat_scene.h"
+
+namespace ombrage {
+
+/// Which instances a draw takes.
+struct DrawFilter {
+    bool castersOnly = false;
+    int excludedByLight = -1;      ///< leaves out the models that this light excludes
+    enum class Alpha { Any, OpaqueOnly, MaskedOnly } alpha = Alpha::Any;
+    bool operator<(const DrawFilter& o) const {
+        return std::tie(castersOnly, excludedByLight, alpha) < std::tie(o.castersOnly, o.excludedByLight, o.alpha);
+    }
+};
+
+struct DrawCounts {
+    std::uint64_t draws = 0, triangles = 0;
+};
+
+/// The scene on the GPU: one vertex buffer in local coordinates, one index buffer, one storage buffer of instances and one
+/// of materials. Vertex shaders get the position through ombrage/vertex.glsl, the one invariant function.
+class GpuScene {
+public:
+    explicit GpuScene(const Scene& scene);
+
+    /// Draws with multi-draw-indirect, grouped by textures. The program is in use and gl state applied; binds the vertex array
+    /// (position-only where `positionsOnly` and no alpha mask) and the material textures. Returns what was drawn.
+    DrawCounts draw(const DrawFilter& filter, bool positionsOnly);
+
+    const Scene& scene() const { return *m_scene; }
+    const FlatScene& flat() const { return m_flat; }
+    glm::dvec3 origin() const { return m_flat.origin; }
+    const Bounds& bounds() const { return m_bounds; }            ///< world
+    /// Bounds in the space moved by the origin, of all casters.
+    glm::vec3 casterLower() const { return m_casterLower; }
+    glm::vec3 casterUpper() const { return m_casterUpper; }
+    bool hasAlphaMask() const { return m_hasAlphaMask; }
+
+    const gl::Buffer& vertices() const { return m_positions; }   ///< vec3 local, tightly packed
+    const gl::Buffer& indices() const { return m_indices; }      ///< uint32, global vertex indices
+    const gl::Buffer& instanceStorage() const { return m_instances; }
+    const gl::Buffer& materialStorage() const { return m_materials; }
+
+    /// Texture object of Scene::textures[index], or a white (normal: flat) texel for -1.
+    const gl::Texture& texture(int index, bool normalMap = false) const;
+
+    std::uint64_t gpuBytes() const;
+
+private:
+    struct Batch;
+    const std::vector<Batch>& batches(const DrawFilter& filter);
+
+    const Scene* m_scene;
+    FlatScene m_flat;
+    Bounds m_bounds;
+    glm::vec3 m_casterLower{0.0f}, m_casterUpper{0.0f};
+    bool m_hasAlphaMask = false;
+    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds;
+    gl::VertexArray m_positionArray, m_fullArray;
+    std::vector<gl::Texture> m_textures;
+    gl::Texture m_white, m_flatNormal;
+    std::map<DrawFilter, std::vector<Batch>> m_batches;
+
+public:
+    GpuScene(const GpuScene&) = delete;
+    ~GpuScene();
+};
+
+}  // namespace ombrage

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <ombrage/metrics.h>
+#include <ombrage/technique.h>
+
+#include "core/param_table.h"
+#include "gl/objects.h"
+
+namespace ombrage {
+
+class FrameContext;
+struct LightFrame;
+
+/// A technique at work. One object serves one place of a pipeline (for shadows: one light), so it may keep caches
+/// between frames. Created and destroyed with the context current.
+class Technique {
+public:
+    virtual ~Technique() = default;
+
+    /// The parameter struct that the table describes.
+    virtual void* params() = 0;
+    virtual const ParamTable& table() const = 0;
+
+    /// Called before the first frame and whenever the picture's size, the scene or a Define or Resize parameter changed:
+    /// drop what depends on them.
+    virtual void prepare(FrameContext&) {}
+
+    /// Bytes of GPU memory held between frames (targets taken from the pool are counted there).
+    virtual std::uint64_t gpuBytes() const { return 0; }
+};
+
+/// Visibility of one light. `visibility` is R16F of the picture's size, cleared to 1; write [0,1], 1 = fully lit. Pixels of
+/// the sky, facing away from the light, or out of its range need no work: composing multiplies by n.l anyway.
+class ShadowTechnique : public Technique {
+public:
+    virtual void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) = 0;
+
+    /// Texel size for the measurement of the frame just rendered; the default has no texels.
+    virtual TexelFootprint footprint() const { return {}; }
+
+    /// What follows "+" in a pipeline refines the visibility before it instead of starting from 1.
+    virtual bool refinesInput() const { return false; }
+};
+
+/// Visibility of the surroundings. `visibility` is R16F of the picture's size; write every pixel (sky: 1).
+class AoTechnique : public Technique {
+public:
+    virtual void render(FrameContext& frame, const gl::Texture& visibility) = 0;
+};
+
+/// Cleans an R16F image of the picture's size. `output` is another texture of the same kind.
+class FilterTechnique : public Technique {
+public:
+    virtual void render(FrameContext& frame, const gl::Texture& input, const gl::Texture& output) = 0;
+};
+
+/// One bounce: RGBA16F radiance leaving the surface towards the eye, added to the picture. Write every pixel.
+class IndirectTechnique : public Technique {
+public:
+    virtual void render(FrameContext& frame, const gl::Texture& radiance) = 0;
+};
+
+/// Takes the composed picture, RGBA16F linear; `output` is another texture of the same kind.
+class AaTechnique : public Technique {
+public:
+    virtual void render(FrameContext& frame, const gl::Texture& input, const gl::Texture& output) = 0;
+};
+
+/// Base of technique classes: holds the parameters. P has a static ParamTable describe().
+template <typename Base, typename P>
+class WithParams : public Base {
+public:
+    void* params() final { return &m_params; }
+    const ParamTable& table() const final { return staticTable(); }
+    static const ParamTable& staticTable() {
+        static const ParamTable table = P::describe();
+        return table;
+    }
+
+protected:
+    const P& p() const { return m_params; }
+
+private:
+    P m_params;
+};
+
+/// For techniques without parameters.
+struct NoParams {
+    static ParamTable describe() { return {}; }
+};
+
+template <typename P = NoParams> using ShadowTechniqueOf = WithParams<ShadowTechnique, P>;
+template <typename P = NoParams> using AoTechniqueOf = WithParams<AoTechnique, P>;
+template <typename P = NoParams> using FilterTechniqueOf = WithParams<FilterTechnique, P>;
+template <typename P = NoParams> using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
+template <typename P = NoParams> using AaTechniqueOf = WithParams<AaTechnique, P>;
+
+/// What a technique's source says of itself, beside its parameters.
+struct TechniqueTraits {
+    std::string title;
+    std::string summary;
+    std::vector<std::string> papers;   ///< keys of docs/references.bib
+    std::string limits;
+    Domain domain;
+    std::vector<PassInfo> passes;      ///< every name that the technique exposes
+    bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
+};
+
+/// A row of the generated table.
+struct TechniqueEntry {
+    Family family;
+    std::string name;
+    TechniqueTraits traits;
+    const ParamTable& (*table)();
+    std::function<std::unique_ptr<Technique>()> create;
+};
+
+/// Makes the name of a folder from its identifier: volume_zfail -> volume-zfail.
+std::string techniqueNameFromIdentifier(const char* identifier);
+
+/// The generated table: one pointer per folder of src/techniques/FAMILY.
+const std::vector<const TechniqueEntry*>& techniqueEntries();
+
+/// @throws Error(Usage) with a suggestion.
+const TechniqueEntry& techniqueEntry(const std::string& id);
+
+/// Makes the technique and sets its parameters.
+std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec);
+
+/// Registers a class: OMBRAGE_TECHNIQUE(shadow, volume_zfail, VolumeZFail, {.title = "...", ...}) in the folder
+/// src/techniques/shadow/volume-zfail. The definition is found by the build through its name: no static initialiser.
+#define OMBRAGE_FAMILY_shadow ::ombrage::Family::Shadow
+#define OMBRAGE_FAMILY_ao ::ombrage::Family::Ao
+#define OMBRAGE_FAMILY_filter ::ombrage::Family::Filter
+#define OMBRAGE_FAMILY_indirect ::ombrage::Family::Indirect
+#define OMBRAGE_FAMILY_aa ::ombrage::Family::Aa
+#define OMBRAGE_TECHNIQUE(familyId, nameId, Class, ...)                                                               \
+    const ::ombrage::TechniqueEntry& techniqueEntry_##familyId##_##nameId() {                                         \
+        static const ::ombrage::TechniqueEntry entry{OMBRAGE_FAMILY_##familyId,                                       \
+                                                     ::ombrage::techniqueNameFromIdentifier(#nameId),                 \
+                                                     ::ombrage::TechniqueTraits __VA_ARGS__,                          \
+                                                     &Class::staticTable,                                             \
+                                                     [] { return std::make_unique<Class>(); }};                       \
+        return entry;                                                                                                 \
+    }
+
+}  // namespace ombrage
