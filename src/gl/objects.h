@@ -17,7 +17,8 @@ namespace ombrage::gl {
 class Buffer {
 public:
     Buffer() = default;
-    /// Immutable storage that can be updated with upload(). `data` may be null. Size 0 makes 16 bytes.
+    /// Immutable storage that can be updated with upload(). `data` may be null. Size 0 makes 16 zero bytes.
+    /// @throws Error(Environment) when the driver has no room for it.
     Buffer(std::size_t size, const void* data, const char* label);
     template <typename T>
     static Buffer from(const std::vector<T>& values, const char* label) {
@@ -56,20 +57,26 @@ struct TextureDesc {
     bool operator==(const TextureDesc&) const = default;
 };
 
-/// Bytes that the texture takes, all levels, layers and samples.
+/// Mip levels: `levels`, or those of the full chain when it is 0.
+int levelCount(const TextureDesc& desc);
+
+/// Bytes that the texture takes, all levels, layers and samples. The format is one that Ombrage uses (asserted).
 std::uint64_t byteSize(const TextureDesc& desc);
 
 /// An immutable-storage texture with its own sampling state: nearest, clamped to edge, no comparison, until set.
 class Texture {
 public:
     Texture() = default;
+    /// @throws Error(Environment) when the driver refuses the size.
     Texture(const TextureDesc& desc, const char* label);
     ~Texture();
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;
 
     GLuint id() const { return m_id; }
+    /// As given to the constructor (levels 0 stays 0).
     const TextureDesc& desc() const { return m_desc; }
+    int levels() const { return levelCount(m_desc); }
     int width() const { return m_desc.width; }
     int height() const { return m_desc.height; }
     explicit operator bool() const { return m_id != 0; }
@@ -118,6 +125,8 @@ public:
 
     /// Binds for drawing and sets the viewport (and turns the scissor off).
     void bind() const;
+    /// The clear functions clear the whole attachment whatever the masks and the scissor were; they leave the scissor off
+    /// and the mask concerned open, so call apply() after them.
     void clearColor(int attachment, const glm::vec4& value) const;
     void clearColorUint(int attachment, const glm::uvec4& value) const;
     void clearDepth(float depth) const;
