@@ -61,8 +61,8 @@ Capabilities readCapabilities() {
     c.sparseTexture = has("GL_ARB_sparse_texture");
     c.viewportLayerFromVertex = has("GL_ARB_shader_viewport_layer_array") || has("GL_AMD_vertex_shader_layer");
     c.anisotropicFilter = has("GL_ARB_texture_filter_anisotropic") || has("GL_EXT_texture_filter_anisotropic");
-    c.maxSamples =
-        std::min({integer(GL_MAX_SAMPLES), integer(GL_MAX_COLOR_TEXTURE_SAMPLES), integer(GL_MAX_DEPTH_TEXTURE_SAMPLES)});
+    c.maxSamples = std::min(
+        {integer(GL_MAX_SAMPLES), integer(GL_MAX_COLOR_TEXTURE_SAMPLES), integer(GL_MAX_DEPTH_TEXTURE_SAMPLES)});
     GLint64 storage = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
     c.maxShaderStorageBytes = storage;
@@ -70,8 +70,8 @@ Capabilities readCapabilities() {
     return c;
 }
 
-// Asks one windowing library, when the process has loaded it, for this thread's context. Nothing may go through libepoxy
-// before: it aborts without a context.
+// Asks one windowing library, when the process has loaded it, for this thread's context. Nothing may go through
+// libepoxy before: it aborts without a context.
 bool hasCurrent(const char* library, const char* function) {
     void* handle = dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
     if (handle == nullptr) return false;

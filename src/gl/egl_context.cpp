@@ -17,7 +17,8 @@ namespace ombrage::gl {
 namespace {
 
 constexpr const char* kMendHint =
-    "Install libegl1, libgl1-mesa-dri and libopengl0 for software OpenGL (no GPU or display is needed), or a GPU driver "
+    "Install libegl1, libgl1-mesa-dri and libopengl0 for software OpenGL (no GPU or display is needed), or a GPU "
+    "driver "
     "that gives OpenGL 4.5 through EGL.";
 
 bool canLoad(const char* library) {
@@ -119,8 +120,7 @@ private:
             refused.push_back(m_trace.back());
         }
         auto context = software();
-        if (!refused.empty())
-            m_warnings.push_back("no usable GPU, rendering in software: " + join(refused, "; "));
+        if (!refused.empty()) m_warnings.push_back("no usable GPU, rendering in software: " + join(refused, "; "));
         return context;
     }
 
@@ -185,7 +185,8 @@ private:
         if (!eglChooseConfig(display, wanted, &config, 1, &count) || count == 0)
             return refuse("no configuration for OpenGL, " + eglErrorText());
 
-        std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5,
+        std::vector<EGLint> attributes = {EGL_CONTEXT_MAJOR_VERSION,       4,
+                                          EGL_CONTEXT_MINOR_VERSION,       5,
                                           EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
         if (m_options.debug) attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_DEBUG, EGL_TRUE});
         attributes.push_back(EGL_NONE);
@@ -233,8 +234,7 @@ std::unique_ptr<EglContext> EglContext::create(const ContextOptions& options, st
 
 EglContext::~EglContext() {
     eglBindAPI(EGL_OPENGL_API);
-    if (eglGetCurrentContext() == m_context)
-        eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    if (eglGetCurrentContext() == m_context) eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     eglDestroyContext(m_display, m_context);
 }
 

@@ -15,8 +15,8 @@ bool isSoftwareRenderer(const std::string& renderer);
 /// The EGL side of a headless context: no display, no surface.
 class EglContext {
 public:
-    /// Makes a context of 4.5 core, current in this thread; what was tried goes to `trace`, what the user should know of
-    /// a fallback to `warnings`. @throws Error(Environment), or Error(Usage) for a device that is no index.
+    /// Makes a context of 4.5 core, current in this thread; what was tried goes to `trace`, what the user should know
+    /// of a fallback to `warnings`. @throws Error(Environment), or Error(Usage) for a device that is no index.
     static std::unique_ptr<EglContext> create(const ContextOptions& options, std::vector<std::string>& trace,
                                               std::vector<std::string>& warnings);
     ~EglContext();

@@ -51,8 +51,8 @@ struct TextureDesc {
     TextureKind kind = TextureKind::Tex2D;
     GLenum format = GL_RGBA8;  ///< sized internal format
     int width = 1, height = 1;
-    int layers = 1;            ///< Array2D: layers; CubeArray: cubes; else 1
-    int levels = 1;            ///< 0: the full chain
+    int layers = 1;  ///< Array2D: layers; CubeArray: cubes; else 1
+    int levels = 1;  ///< 0: the full chain
     int samples = 1;
     bool operator==(const TextureDesc&) const = default;
 };
@@ -108,7 +108,8 @@ struct Attachment {
     int layer = -1;
 };
 
-/// A framebuffer with up to 8 colour attachments and an optional depth or depth-stencil attachment (told by its format).
+/// A framebuffer with up to 8 colour attachments and an optional depth or depth-stencil attachment (told by its
+/// format).
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -125,8 +126,8 @@ public:
 
     /// Binds for drawing and sets the viewport (and turns the scissor off).
     void bind() const;
-    /// The clear functions clear the whole attachment whatever the masks and the scissor were; they leave the scissor off
-    /// and the mask concerned open, so call apply() after them.
+    /// The clear functions clear the whole attachment whatever the masks and the scissor were; they leave the scissor
+    /// off and the mask concerned open, so call apply() after them.
     void clearColor(int attachment, const glm::vec4& value) const;
     void clearColorUint(int attachment, const glm::uvec4& value) const;
     void clearDepth(float depth) const;
@@ -141,7 +142,7 @@ private:
 struct VertexAttribute {
     GLuint location;
     GLint components;
-    GLenum type;          ///< GL_FLOAT; integer types go through glVertexArrayAttribIFormat
+    GLenum type;  ///< GL_FLOAT; integer types go through glVertexArrayAttribIFormat
     GLuint offset;
     GLuint binding;
 };
@@ -157,7 +158,8 @@ struct VertexBinding {
 class VertexArray {
 public:
     VertexArray() = default;
-    VertexArray(std::initializer_list<VertexBinding> bindings, std::initializer_list<VertexAttribute> attributes, GLuint indexBuffer);
+    VertexArray(std::initializer_list<VertexBinding> bindings, std::initializer_list<VertexAttribute> attributes,
+                GLuint indexBuffer);
     ~VertexArray();
     VertexArray(VertexArray&& other) noexcept;
     VertexArray& operator=(VertexArray&& other) noexcept;
@@ -171,7 +173,7 @@ private:
 /// Fixed-function state of one draw. The default is a full-screen pass: no depth, no stencil, no blend, no culling.
 struct DrawState {
     bool depthTest = false;
-    GLenum depthFunc = GL_GEQUAL;      ///< reversed-Z
+    GLenum depthFunc = GL_GEQUAL;  ///< reversed-Z
     bool depthWrite = false;
     bool depthClamp = false;
     bool stencilTest = false;
@@ -182,7 +184,7 @@ struct DrawState {
         GLenum stencilFail = GL_KEEP, depthFail = GL_KEEP, depthPass = GL_KEEP;
     } stencilFront, stencilBack;
     GLuint stencilWriteMask = 0xff;
-    GLenum cull = GL_NONE;             ///< GL_NONE, GL_FRONT, GL_BACK; counter-clockwise is the front
+    GLenum cull = GL_NONE;  ///< GL_NONE, GL_FRONT, GL_BACK; counter-clockwise is the front
     bool blend = false;
     GLenum blendSource = GL_ONE, blendDestination = GL_ONE, blendEquation = GL_FUNC_ADD;
     bool colorWrite = true;
@@ -206,7 +208,8 @@ struct DrawElementsIndirect {
     std::uint32_t baseInstance;
 };
 
-void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, std::size_t firstCommand, std::size_t commandCount);
+void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, std::size_t firstCommand,
+                          std::size_t commandCount);
 void drawElements(const VertexArray& vertices, GLenum mode, std::size_t firstIndex, std::size_t count);
 void dispatch(int groupsX, int groupsY, int groupsZ);
 void barrier(GLbitfield bits);
