@@ -121,12 +121,15 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
             t.cosine[i] = float(glm::dot(centre.direction, point.normal));
             t.lightDistance_m[i] = float(centre.distance_m);
 
-            // Models that this light leaves alone ask no question.
+            // Models that this light leaves alone are dark; those that receive no shadow are lit and ask no question.
             const FlatInstance& instance = flat.instances[point.instance];
             const bool excluded =
                 std::count(source.excludedModels.begin(), source.excludedModels.end(), instance.model) > 0;
-            if (!instance.receives || excluded) {
+            if (excluded || !instance.receives) {
                 t.mask[i] = Mask::NotReceiving;
+                const double facing = std::max(0.0, glm::dot(centre.direction, point.shadingNormal));
+                if (!excluded && shape.mask(point.position, point.normal) == Mask::Valid)
+                    t.irradiance[i] = float(centre.irradiance * facing) * luminance(source.color);
                 continue;
             }
             const LightTruth truth = lightTruth(m_impl->rays, shape, point, instances, samples,
