@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Depth of the scene from any view. ALPHA_MASK also passes what the alpha test needs.
-#include "vertex.glsl"
+#include "ombrage/vertex.glsl"
 
 uniform mat4 u_clipFromWorld;
 
