@@ -13,7 +13,7 @@
 namespace ombrage {
 namespace {
 
-constexpr unsigned kMaxLeafTriangles = 4;
+constexpr unsigned kMaxLeafTriangles = 1;
 constexpr unsigned kMaxDepth = 64;
 
 struct Box {

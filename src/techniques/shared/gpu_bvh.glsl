@@ -2,8 +2,8 @@
 // Rays through the scene's triangles: a threaded bounding volume hierarchy in storage buffers (GpuBvh packs and binds them).
 #include "ombrage/frame.glsl"
 
-layout(std430, binding = 3) readonly buffer BvhNodes { vec4 b_bvhNodes[]; };         // lower, skip; upper, leaf
-layout(std430, binding = 4) readonly buffer BvhTriangles { vec4 b_bvhTriangles[]; }; // corner, global id; corner, instance; corner, alpha
+layout(std430, binding = 3) readonly buffer BvhNodes { uvec4 b_bvhNodes[]; };         // bits of lower, skip; bits of upper, leaf
+layout(std430, binding = 4) readonly buffer BvhTriangles { uvec4 b_bvhTriangles[]; }; // bits of a corner, global id; instance; alpha
 layout(std430, binding = 5) readonly buffer BvhSlots { uint b_bvhSlots[]; };         // per global triangle its place in b_bvhTriangles
 layout(std430, binding = 6) readonly buffer BvhAlpha { uint b_bvhAlpha[]; };         // records of holes and their bits
 #ifdef EXCLUDES
@@ -21,12 +21,14 @@ struct RayOrigin {
     uint slot;    // of the triangle it lies on, which no ray from here can hit
 };
 
+vec3 bvhCorner(uint slot, uint corner) { return uintBitsToFloat(b_bvhTriangles[3u * slot + corner].xyz); }
+
 // Where the pixel's ray meets the plane of its triangle.
 RayOrigin rayOriginOfPixel(ivec2 px, uint triangle) {
     RayOrigin o;
     o.slot = b_bvhSlots[triangle];
-    dvec3 a = dvec3(b_bvhTriangles[3u * o.slot].xyz);
-    dvec3 n = cross(dvec3(b_bvhTriangles[3u * o.slot + 1u].xyz) - a, dvec3(b_bvhTriangles[3u * o.slot + 2u].xyz) - a);
+    dvec3 a = dvec3(bvhCorner(o.slot, 0u));
+    dvec3 n = cross(dvec3(bvhCorner(o.slot, 1u)) - a, dvec3(bvhCorner(o.slot, 2u)) - a);
 
     dvec2 size = dvec2(frame.viewport.xy);
     dvec2 plane = ((dvec2(px) + 0.5) / size * 2.0 - 1.0) * double(frame.projection.w) * dvec2(size.x / size.y, 1.0);
@@ -60,8 +62,8 @@ bool isBvhHole(uint record, vec3 weights) {
 // shared edge gives both its triangles the same number but for the sign, so that no ray slips through between them (watertight
 // as in Woop et al. 2013, here with the triple products of Davidovic et al. 2012 instead of a shear).
 bool stopsAt(uint slot, RayOrigin o, vec3 d, float tMax) {
-    vec4 corner0 = b_bvhTriangles[3u * slot], corner1 = b_bvhTriangles[3u * slot + 1u], corner2 = b_bvhTriangles[3u * slot + 2u];
-    vec3 a = corner0.xyz - o.p_world, b = corner1.xyz - o.p_world, c = corner2.xyz - o.p_world;
+    vec3 corner0 = bvhCorner(slot, 0u), corner1 = bvhCorner(slot, 1u), corner2 = bvhCorner(slot, 2u);
+    vec3 a = corner0 - o.p_world, b = corner1 - o.p_world, c = corner2 - o.p_world;
     precise vec3 normalA = cross(c - b, c + b);
     precise vec3 normalB = cross(a - c, a + c);
     precise vec3 normalC = cross(b - a, b + a);
@@ -76,9 +78,9 @@ bool stopsAt(uint slot, RayOrigin o, vec3 d, float tMax) {
     float t = dot(n, a) / along;
     if (along == 0.0 || !(t > 0.0 && t <= tMax) || slot == o.slot) return false;
 #ifdef EXCLUDES
-    if (b_bvhExcluded[floatBitsToUint(corner1.w)] != 0u) return false;
+    if (b_bvhExcluded[b_bvhTriangles[3u * slot + 1u].w] != 0u) return false;
 #endif
-    uint record = floatBitsToUint(corner2.w);
+    uint record = b_bvhTriangles[3u * slot + 2u].w;
     if (record != 0u && isBvhHole(record, weights / sum)) return false;
 
     // The float origin may lie a rounding error behind its surface and then meets neighbours in the same plane. The distance in
@@ -86,8 +88,8 @@ bool stopsAt(uint slot, RayOrigin o, vec3 d, float tMax) {
     // rays; the margin is 16.
     float recheckBelow_m = u_bvhExtent_m * 1.1920929e-7 * 800.0;
     if (t < recheckBelow_m) {
-        dvec3 corner = dvec3(corner0.xyz);
-        dvec3 exactNormal = cross(dvec3(corner1.xyz) - corner, dvec3(corner2.xyz) - corner);
+        dvec3 corner = dvec3(corner0);
+        dvec3 exactNormal = cross(dvec3(corner1) - corner, dvec3(corner2) - corner);
         double onPlane = double(recheckBelow_m) * 1e-9;
         if (dot(exactNormal, corner - o.exact) / dot(exactNormal, dvec3(d)) <= onPlane) return false;
     }
@@ -101,21 +103,24 @@ bool occluded(RayOrigin o, vec3 d, float tMax) {
     vec3 inverse = 1.0 / safe;
     uint i = 0u;
     while (i < u_bvhNodeCount) {
-        vec4 lower = b_bvhNodes[2u * i], upper = b_bvhNodes[2u * i + 1u];
-        vec3 t0 = (lower.xyz - o.p_world) * inverse, t1 = (upper.xyz - o.p_world) * inverse;
-        vec3 entry = min(t0, t1), leave = max(t0, t1);
-        float near = max(max(entry.x, entry.y), max(entry.z, 0.0));
-        // The far side a little farther than rounding can bring it nearer (Ize 2013, 1 + 2 gamma(3)).
-        float far = min(min(leave.x, leave.y), min(leave.z, tMax)) * 1.0000008;
-        uint leaf = floatBitsToUint(upper.w);
-        if (near <= far) {
-            uint end = (leaf >> 4) + (leaf & 15u);
-            for (uint slot = leaf >> 4; slot < end; ++slot)
-                if (stopsAt(slot, o, d, tMax)) return true;
-            i = leaf == 0u ? i + 1u : floatBitsToUint(lower.w);
-        } else {
-            i = floatBitsToUint(lower.w);
+        // Down to the next leaf first, so that neighbouring rays test triangles together (Aila and Laine 2009, "while-while";
+        // with one loop llvmpipe took twice as long). Only a few steps at a time: without a bound, Mesa 22.3.6 loses rays here.
+        uint leaf = 0u;
+        for (int step = 0; step < 16 && leaf == 0u; ++step) {
+            if (i >= u_bvhNodeCount) break;
+            uvec4 lower = b_bvhNodes[2u * i], upper = b_bvhNodes[2u * i + 1u];
+            vec3 t0 = (uintBitsToFloat(lower.xyz) - o.p_world) * inverse, t1 = (uintBitsToFloat(upper.xyz) - o.p_world) * inverse;
+            vec3 entry = min(t0, t1), leave = max(t0, t1);
+            float near = max(max(entry.x, entry.y), max(entry.z, 0.0));
+            // The far side a little farther than rounding can bring it nearer (Ize 2013, 1 + 2 gamma(3)).
+            float far = min(min(leave.x, leave.y), min(leave.z, tMax)) * 1.0000008;
+            bool isMet = near <= far;
+            leaf = isMet ? upper.w : 0u;
+            i = isMet && leaf == 0u ? i + 1u : lower.w;
         }
+        uint end = (leaf >> 4) + (leaf & 15u);
+        for (uint slot = leaf >> 4; slot < end; ++slot)
+            if (stopsAt(slot, o, d, tMax)) return true;
     }
     return false;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shadow/ray-traced: rays from the visible points to the light through a hierarchy in storage buffers.
 #include "render/frame_context.h"
+#include "render/recorder.h"
 #include "render/technique.h"
 #include "techniques/shared/gpu_bvh.h"
 
@@ -38,28 +39,25 @@ struct RayTracedParams {
     }
 };
 
-/// How many pixels passed a draw, known one frame later so that nothing waits for it; the first frame waits.
-class PixelCounter {
+/// Counts the pixels that a draw writes.
+class PixelQuery {
 public:
-    PixelCounter() { glCreateQueries(GL_SAMPLES_PASSED, 2, m_queries); }
-    ~PixelCounter() { glDeleteQueries(2, m_queries); }
-    PixelCounter(const PixelCounter&) = delete;
-    PixelCounter& operator=(const PixelCounter&) = delete;
+    PixelQuery() { glCreateQueries(GL_SAMPLES_PASSED, 1, &m_query); }
+    ~PixelQuery() { glDeleteQueries(1, &m_query); }
+    PixelQuery(const PixelQuery&) = delete;
+    PixelQuery& operator=(const PixelQuery&) = delete;
 
-    void begin() { glBeginQuery(GL_SAMPLES_PASSED, m_queries[m_frame % 2]); }
-    void end() {
-        glEndQuery(GL_SAMPLES_PASSED);
-        ++m_frame;
-    }
+    void begin() { glBeginQuery(GL_SAMPLES_PASSED, m_query); }
+    void end() { glEndQuery(GL_SAMPLES_PASSED); }
+    /// Waits for the draw.
     double pixels() const {
         GLuint64 count = 0;
-        glGetQueryObjectui64v(m_queries[m_frame < 2 ? 0 : m_frame % 2], GL_QUERY_RESULT, &count);
+        glGetQueryObjectui64v(m_query, GL_QUERY_RESULT, &count);
         return double(count);
     }
 
 private:
-    GLuint m_queries[2] = {0, 0};
-    std::uint64_t m_frame = 0;
+    GLuint m_query = 0;
 };
 
 class RayTraced final : public ShadowTechniqueOf<RayTracedParams> {
@@ -83,18 +81,19 @@ public:
             gl::apply({});
             frame.bindGBuffer();
             bvh.bind(frame.fullscreenProgram(*this, "shadow/ray-traced/ray_traced.frag", std::move(defines)));
-            m_counter.begin();
+            m_query.begin();
             frame.drawFullscreen();
-            m_counter.end();
+            m_query.end();
         }
-        frame.counter("rays", m_counter.pixels() * (soft ? p().samples : 1));
+        // Only the frame that is read back anyway waits for the count.
+        if (frame.recorder->capturing) frame.counter("rays", m_query.pixels() * (soft ? p().samples : 1));
         m_bytes = bvh.gpuBytes() + m_excluded.size();
     }
 
     std::uint64_t gpuBytes() const override { return m_bytes; }
 
 private:
-    PixelCounter m_counter;
+    PixelQuery m_query;
     gl::Buffer m_excluded;
     std::uint64_t m_bytes = 0;
 };

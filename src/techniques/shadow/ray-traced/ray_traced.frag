@@ -25,35 +25,51 @@ bool isSeen(RayOrigin o, LightSample s) {
     return !occluded(o, s.direction, rayLengthTo(s.distance_m));
 }
 
-void main() {
-    ivec2 px = ivec2(gl_FragCoord.xy);
-    uint triangle = gbufferIds(px).y;
-    if (triangle == ~0u) discard;
-    RayOrigin o = rayOriginOfPixel(px, triangle);
-
-    // Where no part of the light can shine nothing is asked: out of range, outside the cone, below the horizon.
-    LightSample centre = lightCentre(o.p_world);
-    if (centre.distance_m > light.direction.w) discard;
+// Whether some part of the light may shine here: in range, inside of the cone, not below the horizon.
+bool isAsked(RayOrigin o, LightSample centre) {
+    if (centre.distance_m > light.direction.w) return false;
     int type = int(light.color.w);
 #ifdef SOFT
-    float reach_m = type == LIGHT_SUN ? light.cone.z : type == LIGHT_RECT ? light.tangent.w + light.bitangent.w : light.cone.z;
+    // No part is farther from the centre than this (a sun: at distance 1).
+    float reach_m = type == LIGHT_RECT ? light.tangent.w + light.bitangent.w : light.cone.z;
     float height = dot(centre.direction, o.n_g) * (type == LIGHT_SUN ? 1.0 : centre.distance_m);
-    if (height + reach_m <= 0.0 || (type == LIGHT_RECT && !centre.facing)) discard;
+    if (height + reach_m <= 0.0) return false;
+    if (type == LIGHT_RECT) return centre.facing;
     if (type == LIGHT_SPOT) {
         // The disk's rim may still shine where its centre does not.
         vec3 fromLight = -centre.direction * centre.distance_m;
         float front = dot(fromLight, light.direction.xyz);
         float aside = max(0.0, length(fromLight - front * light.direction.xyz) - reach_m);
-        if (front <= 0.0 || front < light.cone.y * length(vec2(front, aside))) discard;
+        return front > 0.0 && front >= light.cone.y * length(vec2(front, aside));
     }
-    uint seed = hashOf(hashOf(uint(px.x), uint(px.y)), frame.random.x);
-    uint count = uint(params.samples), seen = 0u;
-    for (uint i = 0u; i < count; ++i)
-        if (isSeen(o, sampleLight(o.p_world, samplePoint(i, seed, gl_FragCoord.xy)))) ++seen;
-    o_visibility = float(seen) / float(count);
+    return true;
 #else
-    if (dot(centre.direction, o.n_g) <= 0.0 || !centre.facing) discard;
-    if (type == LIGHT_SPOT && dot(-centre.direction, light.direction.xyz) < light.cone.y) discard;
-    o_visibility = isSeen(o, centre) ? 1.0 : 0.0;
+    if (dot(centre.direction, o.n_g) <= 0.0 || !centre.facing) return false;
+    return type != LIGHT_SPOT || dot(-centre.direction, light.direction.xyz) >= light.cone.y;
 #endif
+}
+
+void main() {
+    ivec2 px = ivec2(gl_FragCoord.xy);
+    uint triangle = gbufferIds(px).y;
+    bool asked = false;
+    o_visibility = 1.0;
+    // Branches instead of an early discard: discarded pixels may run on (llvmpipe's do) and would walk the tree with nonsense.
+    if (triangle != ~0u) {
+        RayOrigin o = rayOriginOfPixel(px, triangle);
+        LightSample centre = lightCentre(o.p_world);
+        asked = isAsked(o, centre);
+        if (asked) {
+#ifdef SOFT
+            uint seed = hashOf(hashOf(uint(px.x), uint(px.y)), frame.random.x);
+            uint count = uint(params.samples), seen = 0u;
+            for (uint i = 0u; i < count; ++i)
+                if (isSeen(o, sampleLight(o.p_world, samplePoint(i, seed, gl_FragCoord.xy)))) ++seen;
+            o_visibility = float(seen) / float(count);
+#else
+            o_visibility = isSeen(o, centre) ? 1.0 : 0.0;
+#endif
+        }
+    }
+    if (!asked) discard;
 }
