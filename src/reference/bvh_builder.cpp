@@ -13,7 +13,7 @@
 namespace ombrage {
 namespace {
 
-constexpr unsigned kMaxLeafTriangles = 1;
+constexpr unsigned kMaxLeafTriangles = 2;
 constexpr unsigned kMaxDepth = 64;
 
 struct Box {
