@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/plan.h"
 
-#include <algorithm>
 #include <ombrage/error.h>
+#include <algorithm>
 
 #include "core/strings.h"
 #include "lab/domain.h"
@@ -72,7 +72,7 @@ ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
             }
         }
         for (const TechniqueSpec& spec : pipeline)
-            if (!meantFor(scene, spec))
+            if (named && !meantFor(scene, spec))
                 plan.warnings.push_back("the scene '" + scene.name + "' is not meant for " + spec.id + ", but for " +
                                         join(scene.techniques, ", "));
         if (!plannedAlready(pipeline, light)) plan.runs.push_back({family, pipeline, light});

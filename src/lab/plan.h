@@ -13,14 +13,14 @@ namespace ombrage {
 struct PlannedRun {
     Family family = Family::Shadow;
     Pipeline pipeline;
-    int light = -1;   ///< index into Scene::lights; -1 for families that take all lights at once
+    int light = -1;  ///< index into Scene::lights; -1 for families that take all lights at once
 };
 
 /// The runs of one scene and what was left out of them.
 struct ScenePlan {
-    std::vector<PlannedRun> runs;        ///< shadows ordered by light
+    std::vector<PlannedRun> runs;  ///< shadows ordered by light
     std::vector<SkippedPair> skipped;
-    std::vector<std::string> warnings;   ///< techniques that the scene is not meant for
+    std::vector<std::string> warnings;  ///< techniques that the scene is not meant for
 };
 
 /// Every technique of the family as a pipeline with its defaults, in the order of the registry. A filter follows the
