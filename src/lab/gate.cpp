@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/gate.h"
 
-#include <algorithm>
 #include <ombrage/error.h>
+#include <algorithm>
 
 #include "core/strings.h"
 
@@ -35,16 +35,7 @@ std::pair<Family, Pipeline> parseTechnique(const std::string& text) {
         if (matches.size() > 1)
             throw Error(ErrorCode::Usage, "the technique '" + id + "' exists in several families",
                         "say which: " + join(matches, ", "));
-        if (matches.empty()) {
-            // Compare a bare name with bare names, or the missing family would count as misspelling.
-            std::vector<std::string> names;
-            for (const TechniqueInfo& info : techniques()) names.push_back(info.name);
-            const std::string near = nearestName(id, names);
-            if (near.empty()) throw unknownName("technique", id, all);
-            throw unknownName(
-                "technique", id,
-                {techniques()[std::size_t(std::find(names.begin(), names.end(), near) - names.begin())].id});
-        }
+        if (matches.empty()) throw unknownName("technique", id, all);
     }
     Pipeline pipeline = parsePipeline(*family, text);
     if (*family == Family::Filter) {
