@@ -6,20 +6,20 @@
 namespace ombrage {
 
 /// A camera's matrices for one picture size, in the space moved by `origin` (see FlatScene).
-/// Reversed-Z with an infinite far plane: depth = near / distance along the view axis for a perspective camera, 1 at the
-/// near plane and 0 at infinity; orthographic depth is 1 - (distance - near)/(far - near).
+/// Reversed-Z with an infinite far plane: depth = near / distance along the view axis for a perspective camera, 1 at
+/// the near plane and 0 at infinity; orthographic depth is 1 - (distance - near)/(far - near).
 struct CameraView {
     int width = 0, height = 0;
     bool orthographic = false;
     float near_m = 0.01f;
-    float far_m = 0;             ///< orthographic only
-    glm::vec3 eye{0.0f};         ///< relative to the origin
-    glm::vec3 forward{0, 0, -1}; ///< unit
+    float far_m = 0;              ///< orthographic only
+    glm::vec3 eye{0.0f};          ///< relative to the origin
+    glm::vec3 forward{0, 0, -1};  ///< unit
     glm::vec3 right{1, 0, 0};
     glm::vec3 up{0, 1, 0};
     float tanHalfFovY = 0.4663f;
     float orthoHeight_m = 0;
-    glm::mat4 viewFromWorld{1.0f};   ///< "world" is the space moved by the origin
+    glm::mat4 viewFromWorld{1.0f};  ///< "world" is the space moved by the origin
     glm::mat4 clipFromView{1.0f};
     glm::mat4 clipFromWorld{1.0f};
     glm::mat4 worldFromView{1.0f};

@@ -14,19 +14,19 @@ struct FlatInstance {
     std::uint32_t firstTriangle = 0, triangleCount = 0;  ///< over all instances: the global triangle id
     int mesh = 0, material = 0, model = 0;
     bool casts = true, receives = true;
-    bool mirrored = false;                 ///< negative determinant: winding is already swapped in `triangles`
-    glm::mat4 originFromLocal{1.0f};       ///< float copy of translate(-origin) * worldFromLocal
+    bool mirrored = false;            ///< negative determinant: winding is already swapped in `triangles`
+    glm::mat4 originFromLocal{1.0f};  ///< float copy of translate(-origin) * worldFromLocal
 };
 
 /// The scene's triangles in one space: world moved by a floating origin, so that floats are fine near the geometry.
 /// The one source of positions for the truth, for the silhouettes and for the GPU's ray tracing.
 struct FlatScene {
-    glm::dvec3 origin{0.0};                ///< world position of this space's zero: the centre of the bounds
-    std::vector<glm::vec3> positions;      ///< rounded once from double
-    std::vector<glm::vec3> normals;        ///< unit
+    glm::dvec3 origin{0.0};            ///< world position of this space's zero: the centre of the bounds
+    std::vector<glm::vec3> positions;  ///< rounded once from double
+    std::vector<glm::vec3> normals;    ///< unit
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uvs;
-    std::vector<glm::uvec3> triangles;     ///< vertex indices, counter-clockwise from outside
+    std::vector<glm::uvec3> triangles;  ///< vertex indices, counter-clockwise from outside
     std::vector<std::uint32_t> triangleInstance;
     std::vector<FlatInstance> instances;
 };

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include <ombrage/scene.h>
+
+namespace ombrage {
+
+/// Puts a generated scene together. Every object is a model of its own, so that it can be excluded from a light.
+class SceneBuilder {
+public:
+    explicit SceneBuilder(std::string name);
+
+    /// Adds a model of one mesh in one colour (given in sRGB, as a designer picks it), `turn_rad` about the vertical
+    /// axis through `position`. Tangents are made here.
+    SceneBuilder& object(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
+                         const glm::dvec3& position = glm::dvec3(0.0), double turn_deg = 0.0);
+
+    SceneBuilder& sun(const std::string& name, const glm::vec3& direction, float intensity_lx);
+    SceneBuilder& point(const std::string& name, const glm::dvec3& position, float intensity_cd);
+    SceneBuilder& spot(const std::string& name, const glm::dvec3& position, const glm::vec3& direction, float inner_deg,
+                       float outer_deg, float intensity_cd);
+    SceneBuilder& camera(const std::string& name, const glm::dvec3& position, const glm::dvec3& target,
+                         float fov_deg = 50.0f);
+
+    /// The finished scene; the builder is empty afterwards.
+    Scene finish(float aoRadius_m);
+
+private:
+    Scene m_scene;
+};
+
+}  // namespace ombrage
