@@ -214,9 +214,6 @@ RunRecord SceneRunner::run(const PlannedRun& planned) {
     std::string name = stem(planned.light) + "-" + fileSlug(technique);
     if (text != technique) name += "-" + hashOf(text).substr(0, 6);
     if (planned.family == Family::Shadow) {
-        if (const Light& light = m_scene.lights[std::size_t(planned.light)]; takesCentreOf(planned.pipeline, light))
-            record.warnings.push_back("the technique is for lights without size: it takes the centre of '" +
-                                      light.name + "'");
         measureShadowRun(planned, result, name, record);
     } else if (planned.family == Family::Ao) {
         measureAoRun(result, name, record);
