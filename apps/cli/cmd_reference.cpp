@@ -77,7 +77,7 @@ int runReference(const Options& options) {
         writeImage(file, truth.picture(receivers, camera, reference));
     }
     if (options.flag("json"))
-        printResult(json.dump(2) + "\n");
+        printResult(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     else
         printMessage(json.contains("spp") ? fmt::format("{}: {} samples per pixel, standard error {:.5f}", file,
                                                         json["spp"].get<int>(), json["standard_error"].get<double>())
