@@ -64,7 +64,8 @@ struct DeviceInfo {
 
 struct RenderResult {
     Image picture;                              ///< linear RGB, before sRGB encoding; after aa
-    std::map<std::string, Image> shown;         ///< name -> picture
+    std::map<std::string, Image> shown;         ///< name -> picture fit for looking at
+    std::map<std::string, Image> shownRaw;      ///< name -> its numbers (metres, counts, depths as stored)
     std::map<int, Image> visibility;            ///< per light index, one plane
     std::optional<Image> ao;                    ///< one plane
     std::map<int, TexelFootprint> footprint;    ///< per light index

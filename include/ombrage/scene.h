@@ -52,7 +52,8 @@ struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;   ///< unit length
-    std::vector<glm::vec4> tangents;  ///< xyz unit, w = +-1 handedness (bitangent = w * cross(normal, tangent))
+    std::vector<glm::vec4> tangents;  ///< xyz unit, to growing u; bitangent = w * cross(normal, tangent), w = +-1,
+                                      ///< points up in the texture, to smaller v (as in glTF)
     std::vector<glm::vec2> uvs;       ///< v = 0 is the top row of a texture
     std::vector<std::uint32_t> indices;
     int material = 0;

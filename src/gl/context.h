@@ -9,8 +9,8 @@
 namespace ombrage::gl {
 
 struct ContextOptions {
-    std::string device;   ///< "" the first hardware EGL device that gives 4.5 core, else surfaceless software with one
-                          ///< warning; "software"; or the index of an EGL device ("0")
+    std::string device;  ///< "" the first hardware EGL device that gives 4.5 core, else surfaceless software with one
+                         ///< warning; "software"; or the index of an EGL device ("0")
     bool debug = false;
 };
 
@@ -21,7 +21,7 @@ struct Capabilities {
     bool conservativeRaster = false;
     bool fragmentInterlock = false;
     bool sparseTexture = false;
-    bool viewportLayerFromVertex = false;   ///< ARB_shader_viewport_layer_array or AMD_vertex_shader_layer
+    bool viewportLayerFromVertex = false;  ///< ARB_shader_viewport_layer_array or AMD_vertex_shader_layer
     bool anisotropicFilter = false;
     int maxSamples = 1;
     std::int64_t maxShaderStorageBytes = 0;
@@ -66,10 +66,14 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
+/// Ombrage uses no texture unit from this one on; a StateGuard saves those below.
+inline constexpr unsigned kGuardedTextureUnits = 32;
+
 /// Saves every piece of GL state that Ombrage touches and puts it back on destruction, for a host's context:
-/// program, vertex array, framebuffers, viewports, scissor, blend, depth, stencil, cull, front face, clip control, colour
-/// masks, polygon mode and offset, multisample, clip distances, texture units and samplers, image units, indexed uniform,
-/// storage and atomic buffers, array, element, indirect, copy, pixel pack and unpack buffers, pixel store, framebuffer sRGB, depth clamp.
+/// program, vertex array, framebuffers, viewports, scissor, blend, depth, stencil, cull, front face, clip control,
+/// colour masks, polygon mode and offset, multisample, clip distances, texture units and samplers, image units, indexed
+/// uniform, storage and atomic buffers, array, element, indirect, copy, pixel pack and unpack buffers, pixel store,
+/// framebuffer sRGB, depth clamp.
 class StateGuard {
 public:
     StateGuard();

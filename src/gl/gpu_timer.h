@@ -33,7 +33,10 @@ public:
     void begin(const std::string& name);
     void end();
 
-    struct Span { std::string name; double time_ms = 0; };
+    struct Span {
+        std::string name;
+        double time_ms = 0;
+    };
     /// Spans since the last call, in order. Waits for the GPU.
     std::vector<Span> take();
 

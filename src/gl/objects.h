@@ -17,7 +17,8 @@ namespace ombrage::gl {
 class Buffer {
 public:
     Buffer() = default;
-    /// Immutable storage that can be updated with upload(). `data` may be null. Size 0 makes 16 bytes.
+    /// Immutable storage that can be updated with upload(). `data` may be null. Size 0 makes 16 zero bytes.
+    /// @throws Error(Environment) when the driver has no room for it.
     Buffer(std::size_t size, const void* data, const char* label);
     template <typename T>
     static Buffer from(const std::vector<T>& values, const char* label) {
@@ -50,26 +51,32 @@ struct TextureDesc {
     TextureKind kind = TextureKind::Tex2D;
     GLenum format = GL_RGBA8;  ///< sized internal format
     int width = 1, height = 1;
-    int layers = 1;            ///< Array2D: layers; CubeArray: cubes; else 1
-    int levels = 1;            ///< 0: the full chain
+    int layers = 1;  ///< Array2D: layers; CubeArray: cubes; else 1
+    int levels = 1;  ///< 0: the full chain
     int samples = 1;
     bool operator==(const TextureDesc&) const = default;
 };
 
-/// Bytes that the texture takes, all levels, layers and samples.
+/// Mip levels: `levels`, or those of the full chain when it is 0.
+int levelCount(const TextureDesc& desc);
+
+/// Bytes that the texture takes, all levels, layers and samples. The format is one that Ombrage uses (asserted).
 std::uint64_t byteSize(const TextureDesc& desc);
 
 /// An immutable-storage texture with its own sampling state: nearest, clamped to edge, no comparison, until set.
 class Texture {
 public:
     Texture() = default;
+    /// @throws Error(Environment) when the driver refuses the size.
     Texture(const TextureDesc& desc, const char* label);
     ~Texture();
     Texture(Texture&& other) noexcept;
     Texture& operator=(Texture&& other) noexcept;
 
     GLuint id() const { return m_id; }
+    /// As given to the constructor (levels 0 stays 0).
     const TextureDesc& desc() const { return m_desc; }
+    int levels() const { return levelCount(m_desc); }
     int width() const { return m_desc.width; }
     int height() const { return m_desc.height; }
     explicit operator bool() const { return m_id != 0; }
@@ -101,7 +108,8 @@ struct Attachment {
     int layer = -1;
 };
 
-/// A framebuffer with up to 8 colour attachments and an optional depth or depth-stencil attachment (told by its format).
+/// A framebuffer with up to 8 colour attachments and an optional depth or depth-stencil attachment (told by its
+/// format).
 class Framebuffer {
 public:
     Framebuffer() = default;
@@ -118,6 +126,8 @@ public:
 
     /// Binds for drawing and sets the viewport (and turns the scissor off).
     void bind() const;
+    /// The clear functions clear the whole attachment whatever the masks and the scissor were; they leave the scissor
+    /// off and the mask concerned open, so call apply() after them.
     void clearColor(int attachment, const glm::vec4& value) const;
     void clearColorUint(int attachment, const glm::uvec4& value) const;
     void clearDepth(float depth) const;
@@ -132,7 +142,7 @@ private:
 struct VertexAttribute {
     GLuint location;
     GLint components;
-    GLenum type;          ///< GL_FLOAT; integer types go through glVertexArrayAttribIFormat
+    GLenum type;  ///< GL_FLOAT; integer types go through glVertexArrayAttribIFormat
     GLuint offset;
     GLuint binding;
 };
@@ -148,7 +158,8 @@ struct VertexBinding {
 class VertexArray {
 public:
     VertexArray() = default;
-    VertexArray(std::initializer_list<VertexBinding> bindings, std::initializer_list<VertexAttribute> attributes, GLuint indexBuffer);
+    VertexArray(std::initializer_list<VertexBinding> bindings, std::initializer_list<VertexAttribute> attributes,
+                GLuint indexBuffer);
     ~VertexArray();
     VertexArray(VertexArray&& other) noexcept;
     VertexArray& operator=(VertexArray&& other) noexcept;
@@ -162,7 +173,7 @@ private:
 /// Fixed-function state of one draw. The default is a full-screen pass: no depth, no stencil, no blend, no culling.
 struct DrawState {
     bool depthTest = false;
-    GLenum depthFunc = GL_GEQUAL;      ///< reversed-Z
+    GLenum depthFunc = GL_GEQUAL;  ///< reversed-Z
     bool depthWrite = false;
     bool depthClamp = false;
     bool stencilTest = false;
@@ -173,7 +184,7 @@ struct DrawState {
         GLenum stencilFail = GL_KEEP, depthFail = GL_KEEP, depthPass = GL_KEEP;
     } stencilFront, stencilBack;
     GLuint stencilWriteMask = 0xff;
-    GLenum cull = GL_NONE;             ///< GL_NONE, GL_FRONT, GL_BACK; counter-clockwise is the front
+    GLenum cull = GL_NONE;  ///< GL_NONE, GL_FRONT, GL_BACK; counter-clockwise is the front
     bool blend = false;
     GLenum blendSource = GL_ONE, blendDestination = GL_ONE, blendEquation = GL_FUNC_ADD;
     bool colorWrite = true;
@@ -197,7 +208,8 @@ struct DrawElementsIndirect {
     std::uint32_t baseInstance;
 };
 
-void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, std::size_t firstCommand, std::size_t commandCount);
+void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, std::size_t firstCommand,
+                          std::size_t commandCount);
 void drawElements(const VertexArray& vertices, GLenum mode, std::size_t firstIndex, std::size_t count);
 void dispatch(int groupsX, int groupsY, int groupsZ);
 void barrier(GLbitfield bits);

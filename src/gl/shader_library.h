@@ -12,8 +12,8 @@
 
 namespace ombrage::gl {
 
-/// A linked program. Uniform setters take names and throw nothing: a name that the driver optimised away is ignored, one
-/// that was never declared in any of the program's sources asserts.
+/// A linked program. Uniform setters take names and throw nothing: a name that the driver optimised away is ignored,
+/// one that was never declared in any of the program's sources asserts.
 class Program {
 public:
     Program() = default;
@@ -45,36 +45,38 @@ private:
 };
 
 struct ShaderStage {
-    GLenum stage;       ///< GL_VERTEX_SHADER ...
-    std::string path;   ///< "shadow/map/map.frag", "ombrage/fullscreen.vert"
+    GLenum stage;      ///< GL_VERTEX_SHADER ...
+    std::string path;  ///< "shadow/map/map.frag", "ombrage/fullscreen.vert"
 };
 
 /// What a program is made of. Equal descriptions give the same program.
 struct ProgramDesc {
     std::vector<ShaderStage> stages;
-    std::vector<std::pair<std::string, std::string>> defines;    ///< name, value
-    std::vector<std::pair<std::string, std::string>> virtuals;   ///< include path -> GLSL text made by the program
+    std::vector<std::pair<std::string, std::string>> defines;   ///< name, value
+    std::vector<std::pair<std::string, std::string>> virtuals;  ///< include path -> GLSL text made by the program
     bool operator<(const ProgramDesc& other) const;
 };
 
 /// Sources by path, #include, variants by define, and the cache of programs.
 ///
-/// Paths: "ombrage/NAME" are src/render/glsl, "shared/NAME" are src/techniques/shared, "FAMILY/NAME/FILE" are technique folders. Sources are
-/// embedded in the library; with a shader directory files there (same paths) take their place and are read again when
-/// they change. "#version 450 core" is put in front and must not be in the sources. Each file is included once per stage.
+/// Paths: "ombrage/NAME" are src/render/glsl, "shared/NAME" are src/techniques/shared, "FAMILY/NAME/FILE" are technique
+/// folders. Sources are embedded in the library; with a shader directory files there (same paths) take their place and
+/// are read again when they change. "#version 450 core" is put in front and must not be in the sources. Each file is
+/// included once per stage.
 class ShaderLibrary {
 public:
     /// @param directory "" for the embedded sources
     explicit ShaderLibrary(std::string directory = {});
     ~ShaderLibrary();
 
-    /// Compiles at first use. The reference stays valid for the library's life; a hot reload changes the program behind it.
+    /// Compiles at first use. The reference stays valid for the library's life; a hot reload changes the program behind
+    /// it.
     /// @throws Error(Environment) whose message holds the driver's log with "path:line" in the place of source numbers,
     /// and Error(Usage) for an unknown path or a cycle of includes.
     const Program& program(const ProgramDesc& desc);
 
-    /// Reads changed files of the shader directory again. A program that fails to compile keeps its old version; its error
-    /// message is returned.
+    /// Reads changed files of the shader directory again. A program that fails to compile keeps its old version; its
+    /// error message is returned.
     std::vector<std::string> reload();
 
     /// Source text of a path after includes, for tests and --show.

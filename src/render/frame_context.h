@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <ombrage/renderer.h>
+
 #include "gl/gpu_timer.h"
 #include "gl/objects.h"
 #include "gl/shader_library.h"
@@ -43,9 +45,9 @@ enum class ShowAs {
     Value,        ///< red channel as grey
     Color,        ///< RGB, linear
     Depth01,      ///< depth in [0,1], stretched between the smallest and largest value below 1
-    ReversedDepth,///< reversed-Z depth, shown as near/(depth) stretched
+    LightDepth,   ///< reversed depth of a light view: near is bright, nothing is black
     Count,        ///< unsigned count from a red integer texture, stretched
-    Stencil       ///< the stencil plane of a depth-stencil texture, difference from 128 stretched about grey
+    Stencil       ///< the stencil plane of a depth-stencil texture, counted about 0 (255 is -1)
 };
 
 /// What a technique sees of the frame, and its way to record passes and intermediates.
@@ -62,7 +64,6 @@ public:
     NormalSource normals = NormalSource::Map;
     gl::ShaderLibrary* shaders = nullptr;
     TargetPool* targets = nullptr;
-    gl::Buffer* frameBlock = nullptr;   ///< std140 block of ombrage/frame.glsl, bound at kFrameBinding
 
     /// A named span of GPU work: debug group, timer span and, in the record, a row. Spans do not nest.
     class Pass {
@@ -90,16 +91,22 @@ public:
 
     void warn(const std::string& message);
 
-    /// The program of a technique: its virtual include "FAMILY/NAME/params" and its defines are added from its
+    /// The program of a technique, in use: its virtual include "FAMILY/NAME/params" and its defines are added from its
     /// parameters, and its uniform block is uploaded and bound at kParamsBinding.
     const gl::Program& program(Technique& technique, std::vector<gl::ShaderStage> stages,
                                std::vector<std::pair<std::string, std::string>> defines = {});
-    /// A program of its own folder-free sources ("ombrage/..." and "shared/...").
+    /// A program that has no technique's parameters, in use.
     const gl::Program& program(std::vector<gl::ShaderStage> stages, std::vector<std::pair<std::string, std::string>> defines = {});
 
-    /// Compute or fragment? Full-screen pass helper: vertex stage "ombrage/fullscreen.vert" and the given fragment stage.
+    /// A full-screen pass: "ombrage/fullscreen.vert" and the given fragment stage, in use.
     const gl::Program& fullscreenProgram(Technique& technique, const std::string& fragmentPath,
                                          std::vector<std::pair<std::string, std::string>> defines = {});
+
+    /// One triangle over the viewport, counted.
+    void drawFullscreen();
+
+    /// Binds the G-buffer's textures to the units of ombrage/gbuffer.glsl.
+    void bindGBuffer() const;
 
     struct Recorder;
     Recorder* recorder = nullptr;   ///< owned by the Renderer

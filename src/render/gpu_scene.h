@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 #include "gl/objects.h"
@@ -29,10 +30,15 @@ struct DrawCounts {
 /// of materials. Vertex shaders get the position through ombrage/vertex.glsl, the one invariant function.
 class GpuScene {
 public:
+    /// The scene must outlive this object.
     explicit GpuScene(const Scene& scene);
+    ~GpuScene();
+    GpuScene(const GpuScene&) = delete;
+    GpuScene& operator=(const GpuScene&) = delete;
 
     /// Draws with multi-draw-indirect, grouped by textures. The program is in use and gl state applied; binds the vertex array
-    /// (position-only where `positionsOnly` and no alpha mask) and the material textures. Returns what was drawn.
+    /// (positions and instance ids only, without textures, when `positionsOnly`: for opaque casters) and the material
+    /// textures. Returns what was drawn.
     DrawCounts draw(const DrawFilter& filter, bool positionsOnly);
 
     const Scene& scene() const { return *m_scene; }
@@ -48,6 +54,11 @@ public:
     const gl::Buffer& indices() const { return m_indices; }      ///< uint32, global vertex indices
     const gl::Buffer& instanceStorage() const { return m_instances; }
     const gl::Buffer& materialStorage() const { return m_materials; }
+    std::uint32_t meshFirstVertex(int mesh) const { return m_meshFirstVertex[std::size_t(mesh)]; }
+    std::uint32_t meshFirstIndex(int mesh) const { return m_meshFirstIndex[std::size_t(mesh)]; }
+
+    /// Binds the storage buffers that ombrage/instances.glsl and gbuffer.frag read.
+    void bindStorage() const;
 
     /// Texture object of Scene::textures[index], or a white (normal: flat) texel for -1.
     const gl::Texture& texture(int index, bool normalMap = false) const;
@@ -63,15 +74,17 @@ private:
     Bounds m_bounds;
     glm::vec3 m_casterLower{0.0f}, m_casterUpper{0.0f};
     bool m_hasAlphaMask = false;
-    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds;
+    void uploadMeshes();
+    void uploadInstances();
+    void uploadMaterials();
+
+    std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
+    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds, m_triangleNormals;
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     gl::Texture m_white, m_flatNormal;
     std::map<DrawFilter, std::vector<Batch>> m_batches;
 
-public:
-    GpuScene(const GpuScene&) = delete;
-    ~GpuScene();
 };
 
 }  // namespace ombrage

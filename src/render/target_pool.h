@@ -29,7 +29,7 @@ private:
         std::vector<std::unique_ptr<gl::Texture>> free;
     };
     std::shared_ptr<std::vector<Shelf>> m_shelves = std::make_shared<std::vector<Shelf>>();
-    std::uint64_t m_bytes = 0;
+    std::shared_ptr<std::uint64_t> m_bytes = std::make_shared<std::uint64_t>(0);
 };
 
 }  // namespace ombrage

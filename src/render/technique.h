@@ -17,6 +17,7 @@ namespace ombrage {
 
 class FrameContext;
 struct LightFrame;
+struct TechniqueEntry;
 
 /// A technique at work. One object serves one place of a pipeline (for shadows: one light), so it may keep caches
 /// between frames. Created and destroyed with the context current.
@@ -32,8 +33,15 @@ public:
     /// drop what depends on them.
     virtual void prepare(FrameContext&) {}
 
+    /// The row that made this object; set by createTechnique().
+    const TechniqueEntry& entry() const { return *m_entry; }
+    void setEntry(const TechniqueEntry& entry) { m_entry = &entry; }
+
     /// Bytes of GPU memory held between frames (targets taken from the pool are counted there).
     virtual std::uint64_t gpuBytes() const { return 0; }
+
+private:
+    const TechniqueEntry* m_entry = nullptr;
 };
 
 /// Visibility of one light. `visibility` is R16F of the picture's size, cleared to 1; write [0,1], 1 = fully lit. Pixels of
@@ -116,7 +124,8 @@ struct TechniqueTraits {
 /// A row of the generated table.
 struct TechniqueEntry {
     Family family;
-    std::string name;
+    std::string name;  ///< of the folder
+    std::string id() const { return std::string(familyName(family)) + "/" + name; }
     TechniqueTraits traits;
     const ParamTable& (*table)();
     std::function<std::unique_ptr<Technique>()> create;

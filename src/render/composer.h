@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include <ombrage/renderer.h>
+
+#include "render/frame_context.h"
+
+namespace ombrage {
+
+/// Visibility of one light, ready for lighting.
+struct LitLight {
+    LightFrame light;
+    TargetPool::Target visibility;
+};
+
+/// Lights the G-buffer, once, after every technique: the one place where visibility, occlusion, indirect light and
+/// materials meet.
+class Composer {
+public:
+    /// Returns RGBA16F, linear.
+    TargetPool::Target compose(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
+                               const gl::Texture& ao, const gl::Texture& indirect);
+
+    /// Uploads and binds the block of ombrage/light.glsl; techniques' shaders read the same.
+    void bindLight(const LightFrame& light);
+
+private:
+    TargetPool::Target applyNaively(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
+                                    const TargetPool::Target& unshadowed);
+    gl::Buffer m_lightBlock;
+};
+
+}  // namespace ombrage

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <ombrage/error.h>
+#include <ombrage/renderer.h>
+#include <ombrage/technique.h>
+
+#include "core/strings.h"
+#include "gl/context.h"
+#include "gl/gpu_timer.h"
+#include "gl/shader_library.h"
+
+namespace ombrage {
+
+std::vector<DoctorCheck> runDoctor(const RendererOptions& options) {
+    std::vector<DoctorCheck> checks;
+    const auto add = [&](const char* name, const char* verdict, std::string detail) {
+        checks.push_back({name, verdict, std::move(detail)});
+    };
+    try {
+        const auto context = gl::Context::createHeadless({options.device, true});
+        for (const std::string& line : context->trace()) add("context", "ok", line);
+        add("renderer", context->isSoftware() ? "fallback" : "ok",
+            context->renderer() + (context->isSoftware() ? " (software: slow, timings say nothing of a GPU)" : ""));
+        add("vendor", "ok", context->vendor());
+        add("OpenGL", "ok", context->version());
+        for (const std::string& warning : context->warnings()) add("warning", "fallback", warning);
+
+        const gl::Capabilities& can = context->capabilities();
+        const auto optional = [&](const char* name, bool present, const char* otherwise) {
+            add(name, present ? "ok" : "fallback", present ? "in use where a technique asks for it" : otherwise);
+        };
+        optional("depth bounds test", can.depthBoundsTest, "not there: scissor rectangles alone limit volumes");
+        optional("layer from vertex shader", can.viewportLayerFromVertex, "not there: a geometry shader picks cube faces");
+        optional("conservative raster", can.conservativeRaster, "not there: triangles are dilated by shaders");
+        optional("stencil export", can.stencilExport, "not there: stencil is written by drawing");
+        add("samples", can.maxSamples >= 4 ? "ok" : "fallback", fmt::format("{} at most", can.maxSamples));
+        add("storage blocks", can.maxShaderStorageBytes >= (128ll << 20) ? "ok" : "failed",
+            fmt::format("{} MiB at most", can.maxShaderStorageBytes >> 20));
+        add("texture size", can.maxTextureSize >= 8192 ? "ok" : "fallback", fmt::format("{} at most", can.maxTextureSize));
+
+        const gl::GpuTimer timer;
+        add("clock", timer.clock() == gl::Clock::Timestamp ? "ok" : "fallback",
+            std::string(gl::clockName(timer.clock())) + ": " + timer.verdict());
+
+        gl::ShaderLibrary shaders(options.shaderDir);
+        shaders.program({{{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/depth_only.frag"}}, {}, {}});
+        add("shaders", "ok", fmt::format("{} files, a program compiles", gl::ShaderLibrary::embeddedPaths().size()));
+        const auto messages = context->takeDebugMessages();
+        add("debug messages", messages.empty() ? "ok" : "failed", messages.empty() ? "none" : join(messages, "; "));
+        add("techniques", "ok", fmt::format("{}", techniques().size()));
+    } catch (const Error& e) {
+        add("OpenGL 4.5", "missing", e.what());
+    }
+    return checks;
+}
+
+}  // namespace ombrage

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "render/frame_context.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "render/recorder.h"
+#include "render/technique.h"
+
+namespace ombrage {
+
+glm::vec4 LightFrame::toward() const {
+    return light->type == LightType::Sun ? glm::vec4(-direction, 0.0f) : glm::vec4(position, 1.0f);
+}
+
+FrameContext::Pass::Pass(FrameContext& frame, const std::string& name) : m_frame(frame), m_group(name.c_str()) {
+    frame.recorder->passes.push_back({name});
+    frame.recorder->timer->begin(name);
+}
+
+FrameContext::Pass::~Pass() { m_frame.recorder->timer->end(); }
+
+void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
+    assert(!recorder->passes.empty());
+    recorder->passes.back().draws += draws;
+    recorder->passes.back().triangles += triangles;
+}
+
+void FrameContext::counter(const std::string& name, double value) { recorder->counters[name] += value; }
+
+bool FrameContext::wants(const std::string& name) const {
+    return recorder->capturing && (recorder->wantsAll || recorder->wanted.count(name + recorder->suffix) > 0);
+}
+
+void FrameContext::expose(const std::string& name, const gl::Texture& texture, ShowAs how, int layer) {
+    recorder->shown[name + recorder->suffix] = showTexture(texture, how, layer);
+}
+
+void FrameContext::warn(const std::string& message) {
+    auto& warnings = recorder->warnings;
+    if (std::find(warnings.begin(), warnings.end(), message) == warnings.end()) warnings.push_back(message);
+}
+
+const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::ShaderStage> stages,
+                                         std::vector<std::pair<std::string, std::string>> defines) {
+    const ParamTable& table = technique.table();
+    const auto own = table.glslDefines(technique.params());
+    defines.insert(defines.end(), own.begin(), own.end());
+
+    // The technique's own block: uploaded when its bytes changed, bound anew because every technique shares the binding.
+    auto& block = recorder->blocks[&technique];
+    std::vector<std::byte> bytes = table.packBlock(technique.params());
+    if (!bytes.empty()) {
+        if (block.bytes != bytes) {
+            if (block.buffer.size() != bytes.size())
+                block.buffer = gl::Buffer(bytes.size(), bytes.data(), "technique parameters");
+            else
+                block.buffer.upload(0, bytes.size(), bytes.data());
+            block.bytes = std::move(bytes);
+        }
+        block.buffer.bindUniform(kParamsBinding);
+    }
+    const gl::Program& made = shaders->program(
+        {std::move(stages), std::move(defines), {{technique.entry().id() + "/params", table.glslBlock(kParamsBinding)}}});
+    made.use();
+    return made;
+}
+
+const gl::Program& FrameContext::program(std::vector<gl::ShaderStage> stages,
+                                         std::vector<std::pair<std::string, std::string>> defines) {
+    const gl::Program& made = shaders->program({std::move(stages), std::move(defines), {}});
+    made.use();
+    return made;
+}
+
+const gl::Program& FrameContext::fullscreenProgram(Technique& technique, const std::string& fragmentPath,
+                                                   std::vector<std::pair<std::string, std::string>> defines) {
+    return program(technique, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}},
+                   std::move(defines));
+}
+
+void FrameContext::drawFullscreen() {
+    gl::drawFullscreen();
+    countDraw(1, 1);
+}
+
+void FrameContext::bindGBuffer() const {
+    gbuffer->depth.bind(kUnitDepth);
+    gbuffer->normals.bind(kUnitNormals);
+    gbuffer->albedo.bind(kUnitAlbedo);
+    gbuffer->material.bind(kUnitMaterial);
+    gbuffer->ids.bind(kUnitIds);
+}
+
+}  // namespace ombrage

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "render/frame_context.h"
+
+namespace ombrage {
+
+/// Makes G-buffers and fills them, and keeps the camera's uniform block.
+class GeometryPass {
+public:
+    /// A G-buffer of the given size; `stencil` makes its depth D32F_S8.
+    static std::unique_ptr<GBuffer> makeGBuffer(int width, int height, bool stencil);
+
+    /// Uploads the camera's block and binds it for every later shader of the frame.
+    void uploadFrameBlock(const FrameContext& frame);
+
+    /// Draws every instance into frame.gbuffer.
+    void draw(FrameContext& frame) const;
+
+private:
+    gl::Buffer m_frameBlock;
+};
+
+/// Bytes of all planes.
+std::uint64_t byteSize(const GBuffer& gbuffer);
+
+}  // namespace ombrage

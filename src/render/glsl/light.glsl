@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// One light and its unshadowed irradiance.
+#include "ombrage/bindings.glsl"
+
+#define LIGHT_SUN 0
+#define LIGHT_SPOT 1
+#define LIGHT_POINT 2
+#define LIGHT_RECT 3
+
+layout(std140, binding = LIGHT_BINDING) uniform LightBlock {
+    vec4 position;    // xyz of the centre; w 0 for a sun, else 1
+    vec4 direction;   // xyz where light travels; w range in metres (huge when there is none)
+    vec4 color;       // rgb times intensity; w type
+    vec4 cone;        // cosine of the inner and the outer half angle; z radius in metres (sun: tangent of half its angle); w area of a rect
+    vec4 tangent;     // xyz unit; w half size along it
+    vec4 bitangent;   // xyz unit; w half size along it
+} light;
+
+// Unit direction to the light's centre and the distance (huge for a sun).
+vec3 directionToLight(vec3 p_world, out float distance_m) {
+    if (light.position.w == 0.0) {
+        distance_m = 1e30;
+        return -light.direction.xyz;
+    }
+    vec3 d = light.position.xyz - p_world;
+    distance_m = length(d);
+    return d / distance_m;
+}
+
+// Irradiance on a surface that faces the light squarely, all visibility left out. The light counts as its centre.
+vec3 irradianceFacing(vec3 l, float distance_m) {
+    if (distance_m > light.direction.w) return vec3(0.0);
+    int type = int(light.color.w);
+    float factor = 1.0;
+    if (type != LIGHT_SUN) factor /= distance_m * distance_m;
+    float alongAxis = dot(-l, light.direction.xyz);
+    if (type == LIGHT_SPOT) factor *= smoothstep(light.cone.y, light.cone.x, alongAxis);
+    if (type == LIGHT_RECT) factor *= light.cone.w * max(alongAxis, 0.0);
+    return light.color.rgb * factor;
+}

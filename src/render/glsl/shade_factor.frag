@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The naive ways of composing. ACCUMULATE: adds or multiplies one light's share of shadow; else: applies the factor.
+#include "ombrage/gbuffer.glsl"
+
+layout(binding = 5) uniform sampler2D t_visibility;
+layout(binding = 6) uniform sampler2D t_color;
+layout(binding = 7) uniform sampler2D t_factor;
+
+uniform float u_scale;   // overlay: opacity / number of lights
+
+layout(location = 0) out vec4 o_color;
+
+void main() {
+    ivec2 px = ivec2(gl_FragCoord.xy);
+    bool sky = gbufferDepth(px) == 0.0;
+#if defined(ACCUMULATE)
+    float seen = sky ? 1.0 : texelFetch(t_visibility, px, 0).r;
+#if COMPOSITE == 1
+    o_color = vec4(seen);
+#else
+    o_color = vec4((1.0 - seen) * u_scale);
+#endif
+#else
+    vec3 color = texelFetch(t_color, px, 0).rgb;
+    float factor = texelFetch(t_factor, px, 0).r;
+#if COMPOSITE == 1
+    o_color = vec4(color * factor, 1.0);
+#else
+    o_color = vec4(color * max(1.0 - factor, 0.0), 1.0);
+#endif
+#endif
+}

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "render/gpu_scene.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/gtc/matrix_inverse.hpp>
+#include <glm/gtc/packing.hpp>
+
+#include "render/frame_context.h"
+
+namespace ombrage {
+
+namespace {
+
+/// As in ombrage/instances.glsl, std430.
+struct InstanceData {
+    glm::mat4 worldFromLocal;
+    glm::mat4 normalFromLocal;
+    std::uint32_t material, firstTriangle, firstMeshTriangle, flags;
+};
+
+struct MaterialData {
+    glm::vec4 baseColor, specular, emissive, surface;
+    glm::uvec4 textures;
+};
+
+/// Vertex stream beside the positions.
+struct VertexAttributes {
+    glm::vec3 normal;
+    glm::vec4 tangent;
+    glm::vec2 uv;
+};
+
+constexpr GLuint kTriangleNormalStorage = 2;
+
+glm::vec2 octahedralFromUnit(glm::vec3 n) {
+    n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
+    if (n.z >= 0.0f) return glm::vec2(n.x, n.y);
+    return (1.0f - glm::vec2(std::abs(n.y), std::abs(n.x))) * glm::vec2(n.x >= 0 ? 1 : -1, n.y >= 0 ? 1 : -1);
+}
+
+/// Textures of a material, the key by which draws are grouped.
+std::array<int, 5> textureSet(const Material& m) {
+    return {m.baseColorTexture, m.normalTexture, m.heightTexture, m.metallicRoughnessTexture, m.emissiveTexture};
+}
+
+}  // namespace
+
+/// Consecutive indirect commands that share textures and alpha mode.
+struct GpuScene::Batch {
+    std::array<int, 5> textures{-1, -1, -1, -1, -1};
+    gl::Buffer commands;
+    std::size_t commandCount = 0;
+    std::uint64_t triangles = 0;
+};
+
+GpuScene::GpuScene(const Scene& scene) : m_scene(&scene), m_flat(flatten(scene)), m_bounds(scene.bounds()) {
+    uploadMeshes();
+    uploadInstances();
+    uploadMaterials();
+
+    // Bounds of the casters, for fitting light views.
+    glm::vec3 lower(INFINITY), upper(-INFINITY);
+    for (const FlatInstance& instance : m_flat.instances) {
+        if (!instance.casts) continue;
+        for (std::uint32_t v = 0; v < instance.vertexCount; ++v) {
+            lower = glm::min(lower, m_flat.positions[instance.firstVertex + v]);
+            upper = glm::max(upper, m_flat.positions[instance.firstVertex + v]);
+        }
+    }
+    if (lower.x <= upper.x) {
+        m_casterLower = lower;
+        m_casterUpper = upper;
+    }
+}
+
+GpuScene::~GpuScene() = default;
+
+void GpuScene::uploadMeshes() {
+    std::vector<glm::vec3> positions;
+    std::vector<VertexAttributes> attributes;
+    std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> triangleNormals;
+    for (const Mesh& mesh : m_scene->meshes) {
+        const auto firstVertex = std::uint32_t(positions.size());
+        m_meshFirstVertex.push_back(firstVertex);
+        m_meshFirstIndex.push_back(std::uint32_t(indices.size()));
+        positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
+        for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+            attributes.push_back({mesh.normals[v], mesh.tangents[v], mesh.uvs[v]});
+        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+            glm::dvec3 corner[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                indices.push_back(firstVertex + mesh.indices[i + k]);
+                corner[k] = mesh.positions[mesh.indices[i + k]];
+            }
+            // The triangle's own normal, in double so that slivers keep theirs.
+            const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+            const double length = glm::length(n);
+            const glm::vec3 unit = length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
+            triangleNormals.push_back(glm::packSnorm2x16(octahedralFromUnit(unit)));
+        }
+    }
+    m_positions = gl::Buffer::from(positions, "scene positions");
+    m_attributes = gl::Buffer::from(attributes, "scene attributes");
+    m_indices = gl::Buffer::from(indices, "scene indices");
+    m_triangleNormals = gl::Buffer::from(triangleNormals, "scene triangle normals");
+}
+
+void GpuScene::uploadInstances() {
+    std::vector<InstanceData> data;
+    std::vector<std::uint32_t> ids;
+    for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
+        const FlatInstance& instance = m_flat.instances[i];
+        const glm::dmat3 linear(m_scene->instances[i].worldFromLocal);
+        data.push_back({instance.originFromLocal, glm::mat4(glm::mat3(glm::inverseTranspose(linear))),
+                        std::uint32_t(instance.material), instance.firstTriangle,
+                        m_meshFirstIndex[std::size_t(instance.mesh)] / 3, instance.mirrored ? 1u : 0u});
+        ids.push_back(std::uint32_t(i));
+    }
+    m_instances = gl::Buffer::from(data, "scene instances");
+    m_instanceIds = gl::Buffer::from(ids, "scene instance ids");
+
+    const gl::VertexBinding position{0, m_positions.id(), 0, sizeof(glm::vec3), 0};
+    const gl::VertexBinding attribute{1, m_attributes.id(), 0, sizeof(VertexAttributes), 0};
+    const gl::VertexBinding instanceId{2, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1};
+    m_positionArray =
+        gl::VertexArray({position, instanceId}, {{0, 3, GL_FLOAT, 0, 0}, {4, 1, GL_UNSIGNED_INT, 0, 2}}, m_indices.id());
+    m_fullArray = gl::VertexArray({position, attribute, instanceId},
+                                  {{0, 3, GL_FLOAT, 0, 0},
+                                   {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
+                                   {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
+                                   {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1},
+                                   {4, 1, GL_UNSIGNED_INT, 0, 2}},
+                                  m_indices.id());
+}
+
+void GpuScene::uploadMaterials() {
+    std::vector<MaterialData> data;
+    for (const Material& m : m_scene->materials) {
+        const auto textures = textureSet(m);
+        glm::uvec4 bits{0u};
+        for (std::size_t t = 0; t < textures.size(); ++t) bits.x |= textures[t] >= 0 ? 1u << t : 0u;
+        bits.y = m.alphaMode == AlphaMode::Mask ? 1u : 0u;
+        m_hasAlphaMask = m_hasAlphaMask || bits.y != 0;
+        data.push_back({glm::vec4(m.baseColor, m.alpha), glm::vec4(m.specular, m.shininess),
+                        glm::vec4(m.emissive, m.alphaCutoff),
+                        glm::vec4(m.metallic, m.roughness, m.normalScale, m.heightScale_uv), bits});
+    }
+    m_materials = gl::Buffer::from(data, "scene materials");
+
+    for (const Texture& texture : m_scene->textures) {
+        gl::Texture image({.format = GLenum(texture.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8),
+                           .width = texture.width,
+                           .height = texture.height,
+                           .levels = 0},
+                          texture.name.c_str());
+        image.upload(0, GL_RGBA, GL_UNSIGNED_BYTE, texture.rgba.data());
+        image.generateMipmap();
+        image.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        image.setWrap(GL_REPEAT);
+        m_textures.push_back(std::move(image));
+    }
+    const std::uint8_t white[4] = {255, 255, 255, 255}, flat[4] = {128, 128, 255, 255};
+    m_white = gl::Texture({.format = GL_RGBA8}, "white");
+    m_white.upload(0, GL_RGBA, GL_UNSIGNED_BYTE, white);
+    m_flatNormal = gl::Texture({.format = GL_RGBA8}, "flat normal");
+    m_flatNormal.upload(0, GL_RGBA, GL_UNSIGNED_BYTE, flat);
+}
+
+const gl::Texture& GpuScene::texture(int index, bool normalMap) const {
+    if (index >= 0) return m_textures[std::size_t(index)];
+    return normalMap ? m_flatNormal : m_white;
+}
+
+const std::vector<GpuScene::Batch>& GpuScene::batches(const DrawFilter& filter) {
+    const auto known = m_batches.find(filter);
+    if (known != m_batches.end()) return known->second;
+
+    // Group the wanted instances by textures; opaque ones need none of them when only depth is drawn.
+    const std::vector<int> noModels;
+    const auto& excluded =
+        filter.excludedByLight >= 0 ? m_scene->lights[std::size_t(filter.excludedByLight)].excludedModels : noModels;
+    std::map<std::array<int, 5>, std::vector<gl::DrawElementsIndirect>> groups;
+    for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
+        const FlatInstance& instance = m_flat.instances[i];
+        const Material& material = m_scene->materials[std::size_t(instance.material)];
+        const bool masked = material.alphaMode == AlphaMode::Mask;
+        if (filter.castersOnly && !instance.casts) continue;
+        if (std::find(excluded.begin(), excluded.end(), instance.model) != excluded.end()) continue;
+        if (filter.alpha == DrawFilter::Alpha::OpaqueOnly && masked) continue;
+        if (filter.alpha == DrawFilter::Alpha::MaskedOnly && !masked) continue;
+        std::array<int, 5> key{-1, -1, -1, -1, -1};
+        if (filter.alpha == DrawFilter::Alpha::MaskedOnly) key[0] = material.baseColorTexture;
+        if (!filter.castersOnly) key = textureSet(material);
+        groups[key].push_back({instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
+    }
+
+    std::vector<Batch> made;
+    for (const auto& [textures, commands] : groups) {
+        Batch batch;
+        batch.textures = textures;
+        batch.commands = gl::Buffer::from(commands, "draw commands");
+        batch.commandCount = commands.size();
+        for (const auto& command : commands) batch.triangles += command.count / 3;
+        made.push_back(std::move(batch));
+    }
+    return m_batches.emplace(filter, std::move(made)).first->second;
+}
+
+void GpuScene::bindStorage() const {
+    m_instances.bindStorage(kInstanceStorage);
+    m_materials.bindStorage(kMaterialStorage);
+    m_triangleNormals.bindStorage(kTriangleNormalStorage);
+}
+
+DrawCounts GpuScene::draw(const DrawFilter& filter, bool positionsOnly) {
+    bindStorage();
+    DrawCounts counts;
+    for (const Batch& batch : batches(filter)) {
+        if (!positionsOnly)
+            for (std::size_t t = 0; t < batch.textures.size(); ++t)
+                texture(batch.textures[t], t == 1).bind(kUnitMaterialTextures + unsigned(t));
+        gl::drawElementsIndirect(positionsOnly ? m_positionArray : m_fullArray, batch.commands, 0, batch.commandCount);
+        counts.draws += batch.commandCount;
+        counts.triangles += batch.triangles;
+    }
+    return counts;
+}
+
+std::uint64_t GpuScene::gpuBytes() const {
+    std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() + m_materials.size() +
+                          m_triangleNormals.size();
+    for (const gl::Texture& texture : m_textures) bytes += gl::byteSize(texture.desc());
+    return bytes;
+}
+
+}  // namespace ombrage

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: MIT
+#include <ombrage/renderer.h>
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <ombrage/error.h>
+
+#include "core/log.h"
+#include "gl/context.h"
+#include "render/composer.h"
+#include "render/geometry_pass.h"
+#include "render/recorder.h"
+#include "render/request.h"
+#include "render/standard_views.h"
+#include "render/statistics.h"
+#include "render/technique_slots.h"
+
+namespace ombrage {
+
+/// Textures that a frame leaves behind, for reading back.
+struct FrameTargets {
+    std::map<int, TargetPool::Target> visibility;
+    TargetPool::Target ao, indirect, color;
+};
+
+struct Renderer::Impl {
+    std::unique_ptr<gl::Context> context;
+    DeviceInfo device;
+    std::unique_ptr<gl::GpuTimer> timer;
+    std::unique_ptr<gl::ShaderLibrary> shaders;
+
+    // Everything below holds GL objects and dies before the context, in reverse order.
+    TargetPool targets;
+    FrameContext::Recorder recorder;
+    std::unique_ptr<GpuScene> gpuScene;
+    const Scene* scene = nullptr;
+    Scene moved;                     ///< the scene at the requested time, when it is animated
+    std::unique_ptr<GBuffer> gbuffer;
+    GeometryPass geometry;
+    Composer composer;
+    TechniqueSlots slots;
+    CameraView previousView;
+    bool hasPreviousView = false;
+
+    Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options);
+    ~Impl();
+
+    void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
+    FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
+    TargetPool::Target renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
+    TargetPool::Target renderAo(FrameContext& frame, const Pipeline& pipeline);
+    TargetPool::Target applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input);
+    void readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced);
+    RenderResult render(const RenderSettings& settings);
+};
+
+Renderer::Impl::Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options)
+    : context(std::move(made)),
+      timer(std::make_unique<gl::GpuTimer>()),
+      shaders(std::make_unique<gl::ShaderLibrary>(options.shaderDir)) {
+    device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(), gl::clockName(timer->clock())};
+    recorder.timer = timer.get();
+    for (const std::string& warning : context->warnings()) warn(warning);
+}
+
+Renderer::Impl::~Impl() { context->makeCurrent(); }
+
+void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
+    if (!gbuffer || gbuffer->framebuffer.width() != settings.width || gbuffer->framebuffer.height() != settings.height ||
+        (gbuffer->depth.desc().format == GL_DEPTH32F_STENCIL8) != request.needsStencil) {
+        gbuffer = GeometryPass::makeGBuffer(settings.width, settings.height, request.needsStencil);
+        targets.trim();
+        slots.invalidate();
+    }
+    frame.width = settings.width;
+    frame.height = settings.height;
+    frame.scene = &gpuScene->scene();
+    frame.gpuScene = gpuScene.get();
+    frame.gbuffer = gbuffer.get();
+    frame.view = makeCameraView(frame.scene->cameras[std::size_t(request.camera)], settings.width, settings.height,
+                                gpuScene->origin(), gpuScene->bounds());
+    frame.previousView = hasPreviousView ? previousView : frame.view;
+    frame.normals = settings.normals;
+    frame.shaders = shaders.get();
+    frame.targets = &targets;
+    frame.recorder = &recorder;
+}
+
+TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input) {
+    auto output = targets.take(input->desc(), "filtered");
+    static_cast<FilterTechnique&>(filter).render(frame, *input, *output);
+    return output;
+}
+
+TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light) {
+    auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
+    const auto given = settings.givenVisibility.find(light.index);
+    if (given != settings.givenVisibility.end()) {
+        uploadPlane(*visibility, given->second.plane(0));
+        return visibility;
+    }
+    {
+        const auto pass = frame.pass("clear visibility");
+        const gl::Framebuffer target({{visibility.get()}}, {}, "visibility");
+        target.bind();
+        gl::apply({});
+        target.clearColor(0, glm::vec4(1.0f));
+    }
+    composer.bindLight(light);
+    for (const auto& technique : slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame)) {
+        if (technique->entry().family == Family::Shadow)
+            static_cast<ShadowTechnique&>(*technique).render(frame, light, *visibility);
+        else
+            visibility = applyFilter(frame, *technique, visibility);
+    }
+    return visibility;
+}
+
+TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline& pipeline) {
+    auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "ao");
+    bool first = true;
+    for (const auto& technique : slots.get("ao", pipeline, frame)) {
+        if (technique->entry().family == Family::Ao)
+            static_cast<AoTechnique&>(*technique).render(frame, *visibility);
+        else
+            visibility = applyFilter(frame, *technique, visibility);
+        if (first && pipeline.size() > 1 && frame.wants("ao-unfiltered"))
+            frame.expose("ao-unfiltered", *visibility, ShowAs::Value);
+        first = false;
+    }
+    return visibility;
+}
+
+FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
+    FrameTargets produced;
+    gl::beginFrameState();
+    geometry.uploadFrameBlock(frame);
+    geometry.draw(frame);
+
+    std::vector<LitLight> lights;
+    for (int index : request.lights) {
+        LightFrame light{index, &frame.scene->lights[std::size_t(index)]};
+        light.position = glm::vec3(light.light->position - gpuScene->origin());
+        light.direction = light.light->direction;
+        recorder.suffix = index == request.lights.front() ? "" : "@" + light.light->name;
+        lights.push_back({light, renderShadow(frame, settings, light)});
+        produced.visibility[index] = lights.back().visibility;
+        recorder.suffix.clear();
+    }
+    produced.ao = renderAo(frame, settings.ao);
+
+    produced.indirect = targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
+    for (const auto& technique : slots.get("indirect", settings.indirect, frame))
+        static_cast<IndirectTechnique&>(*technique).render(frame, *produced.indirect);
+
+    produced.color = composer.compose(frame, settings, lights, *produced.ao, *produced.indirect);
+    for (const auto& technique : slots.get("aa", settings.aa, frame)) {
+        auto output = targets.take(produced.color->desc(), "anti-aliased");
+        static_cast<AaTechnique&>(*technique).render(frame, *produced.color, *output);
+        produced.color = output;
+    }
+    return produced;
+}
+
+void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced) {
+    result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
+    for (const auto& [index, texture] : produced.visibility)
+        result.visibility[index] = readColor(*texture, {"visibility"}, ColorSpace::Data);
+    result.ao = readColor(*produced.ao, {"visibility"}, ColorSpace::Data);
+    readIds(gbuffer->ids, result.instance, result.triangle);
+
+    auto& shown = recorder.shown;
+    const auto offer = [&](const std::string& name, auto&& make) {
+        if (recorder.wantsAll || recorder.wanted.count(name) > 0) shown[name] = make();
+    };
+    offer("final", [&] { return ShownImage{result.picture, result.picture}; });
+    offer("visibility", [&] {
+        const Image& first = result.visibility.empty() ? *result.ao : result.visibility.begin()->second;
+        return ShownImage{first, first};
+    });
+    offer("ao", [&] { return ShownImage{*result.ao, *result.ao}; });
+    offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color); });
+    for (const PassInfo& view : standardGBufferViews())
+        offer(view.name, [&] { return showGBuffer(view.name, *gbuffer, frame.view, gpuScene->origin()); });
+    for (auto& [name, image] : shown) {
+        result.shown[name] = std::move(image.display);
+        result.shownRaw[name] = std::move(image.raw);
+    }
+}
+
+RenderResult Renderer::Impl::render(const RenderSettings& settings) {
+    if (!scene) throw Error(ErrorCode::Usage, "nothing to render", "call setScene first");
+    const RenderRequest request = checkRequest(*scene, settings);
+
+    // Animated scenes are moved to the asked time; the geometry goes up again only then.
+    if (!scene->animations.empty() && settings.time_s != 0) {
+        moved = *scene;
+        animate(moved, settings.time_s);
+        gpuScene = std::make_unique<GpuScene>(moved);
+        slots.invalidate();
+    } else if (&gpuScene->scene() != scene) {
+        gpuScene = std::make_unique<GpuScene>(*scene);
+        slots.invalidate();
+    }
+
+    recorder.warnings = request.warnings;
+    recorder.shown.clear();
+    recorder.wanted = std::set<std::string>(settings.show.begin(), settings.show.end());
+    recorder.wantsAll = recorder.wanted.count("all") > 0;
+    slots.keepOnly(request.places);
+
+    FrameContext frame;
+    prepareFrame(frame, settings, request);
+    RenderResult result;
+    FrameTargets produced;
+    std::vector<double> totals, cpuTimes;
+    std::vector<std::string> order;
+    std::map<std::string, std::vector<double>> passTimes;
+    timer->take();
+    const int frames = settings.warmupFrames + settings.frames;
+    for (int i = 0; i < frames; ++i) {
+        recorder.capturing = i == frames - 1;
+        recorder.passes.clear();
+        recorder.counters.clear();
+        frame.frameIndex = std::uint32_t(i);
+        frame.seed = std::uint32_t(settings.seed);
+        produced = {};
+        const double start = threadTime_ms();
+        produced = renderFrame(frame, settings, request);
+        const double cpu = threadTime_ms() - start;
+
+        // Passes of one name (one per light) count as one row.
+        std::map<std::string, double> times;
+        double total = 0;
+        for (const gl::GpuTimer::Span& span : timer->take()) {
+            if (std::find(order.begin(), order.end(), span.name) == order.end()) order.push_back(span.name);
+            times[span.name] += span.time_ms;
+            total += span.time_ms;
+        }
+        if (i < settings.warmupFrames) continue;
+        for (const auto& [name, time] : times) passTimes[name].push_back(time);
+        totals.push_back(total);
+        cpuTimes.push_back(cpu);
+    }
+    previousView = frame.view;
+    hasPreviousView = true;
+
+    readBack(result, frame, produced);
+    for (const std::string& name : order) {
+        PassCost cost{name, statsOf(passTimes[name]), 0, 0};
+        for (const auto& work : recorder.passes)
+            if (work.name == name) {
+                cost.draws += work.draws;
+                cost.triangles += work.triangles;
+            }
+        result.passes.push_back(cost);
+    }
+    result.gpu_ms = statsOf(totals);
+    result.cpu_ms = statsOf(cpuTimes).median;
+    result.gpuBytes = targets.bytes() + byteSize(*gbuffer) + slots.gpuBytes();
+    result.counters = recorder.counters;
+    for (int index : request.lights)
+        if (settings.givenVisibility.count(index) == 0)
+            for (const auto& technique : slots.get(fmt::format("shadow {}", index), settings.shadow, frame))
+                if (technique->entry().family == Family::Shadow && !static_cast<ShadowTechnique&>(*technique).refinesInput())
+                    result.footprint[index] = static_cast<ShadowTechnique&>(*technique).footprint();
+    result.warnings = recorder.warnings;
+    result.debugMessages = context->takeDebugMessages();
+    recorder.blocks.clear();
+    return result;
+}
+
+Renderer::Renderer(const RendererOptions& options)
+    : m_impl(std::make_unique<Impl>(gl::Context::createHeadless({options.device, options.debugContext}), options)) {}
+
+Renderer::Renderer(AdoptCurrent, const RendererOptions& options) {
+    auto context = gl::Context::adoptCurrent();
+    const gl::StateGuard guard;
+    m_impl = std::make_unique<Impl>(std::move(context), options);
+}
+
+Renderer::~Renderer() = default;
+
+void Renderer::setScene(const Scene& scene) {
+    m_impl->context->makeCurrent();
+    std::optional<gl::StateGuard> guard;
+    if (m_impl->context->isAdopted()) guard.emplace();
+    m_impl->scene = &scene;
+    m_impl->slots.clear();
+    m_impl->gpuScene = std::make_unique<GpuScene>(scene);
+    m_impl->hasPreviousView = false;
+    m_impl->slots.invalidate();
+}
+
+RenderResult Renderer::render(const RenderSettings& settings) {
+    m_impl->context->makeCurrent();
+    std::optional<gl::StateGuard> guard;
+    if (m_impl->context->isAdopted()) guard.emplace();
+    return m_impl->render(settings);
+}
+
+const DeviceInfo& Renderer::device() const { return m_impl->device; }
+
+std::vector<PassInfo> Renderer::showNames(const RenderSettings& settings) const { return showNamesOf(settings); }
+
+}  // namespace ombrage

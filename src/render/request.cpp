@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "render/request.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <ombrage/error.h>
+
+#include "render/standard_views.h"
+#include "render/technique.h"
+
+namespace ombrage {
+
+namespace {
+
+bool supports(const Domain& domain, LightType type) {
+    switch (type) {
+        case LightType::Sun: return domain.sun;
+        case LightType::Spot: return domain.spot;
+        case LightType::Point: return domain.point;
+        case LightType::Rect: return domain.rect;
+    }
+    return false;
+}
+
+/// The first element belongs to `family`, later ones to it or to the filters; families without filters have one element.
+void checkPipeline(const Pipeline& pipeline, Family family) {
+    const bool takesFilters = family == Family::Shadow || family == Family::Ao;
+    if (pipeline.empty())
+        throw Error(ErrorCode::Usage, fmt::format("the {} pipeline is empty", familyName(family)),
+                    fmt::format("use {}/none", familyName(family)));
+    for (std::size_t i = 0; i < pipeline.size(); ++i) {
+        const TechniqueEntry& entry = techniqueEntry(pipeline[i].id);
+        const bool fits = entry.family == family || (i > 0 && takesFilters && entry.family == Family::Filter);
+        if (!fits)
+            throw Error(ErrorCode::Usage,
+                        fmt::format("{} cannot stand at place {} of a {} pipeline", entry.id(), i + 1, familyName(family)),
+                        takesFilters ? fmt::format("write {}/NAME+filter/NAME", familyName(family))
+                                     : fmt::format("only {} techniques can", familyName(family)));
+        if (i > 0 && entry.family == Family::Shadow) {
+            const auto technique = createTechnique(pipeline[i]);
+            if (!static_cast<const ShadowTechnique&>(*technique).refinesInput())
+                throw Error(ErrorCode::Usage, fmt::format("{} does not refine another shadow", entry.id()),
+                            "put it first, without '+'");
+        }
+    }
+}
+
+void checkLight(const Light& light, const RenderSettings& settings, RenderRequest& request) {
+    for (const TechniqueSpec& spec : settings.shadow) {
+        const TechniqueEntry& entry = techniqueEntry(spec.id);
+        if (entry.family != Family::Shadow) continue;
+        const Domain& domain = entry.traits.domain;
+        if (!supports(domain, light.type))
+            throw Error(ErrorCode::Usage,
+                        fmt::format("{} does not support the {} light '{}'", entry.id(), lightTypeName(light.type), light.name),
+                        "choose another light with --light or another technique");
+        if (light.hasSize() && !domain.soft && entry.name != "none")
+            request.warnings.push_back(
+                fmt::format("{} takes the sized light '{}' as a point at its centre", entry.id(), light.name));
+    }
+}
+
+}  // namespace
+
+RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
+    constexpr int kLargest = 16384;
+    if (settings.width < 1 || settings.height < 1 || settings.width > kLargest || settings.height > kLargest)
+        throw Error(ErrorCode::Usage, fmt::format("a picture of {} x {} pixels", settings.width, settings.height),
+                    fmt::format("width and height lie between 1 and {}", kLargest));
+    if (settings.frames < 1 || settings.warmupFrames < 0)
+        throw Error(ErrorCode::Usage, fmt::format("{} frames", settings.frames), "render at least one");
+    if (settings.overlayOpacity < 0 || settings.overlayOpacity > 1)
+        throw Error(ErrorCode::Usage, fmt::format("an overlay opacity of {}", settings.overlayOpacity), "it lies between 0 and 1");
+
+    checkPipeline(settings.shadow, Family::Shadow);
+    checkPipeline(settings.ao, Family::Ao);
+    checkPipeline(settings.indirect, Family::Indirect);
+    checkPipeline(settings.aa, Family::Aa);
+
+    RenderRequest request;
+    request.camera = scene.cameraIndex(settings.camera);
+    if (settings.light.empty()) {
+        request.lights.resize(scene.lights.size());
+        std::iota(request.lights.begin(), request.lights.end(), 0);
+    } else {
+        request.lights = {scene.lightIndex(settings.light)};
+    }
+    for (int light : request.lights) {
+        request.places.push_back(fmt::format("shadow {}", light));
+        if (settings.givenVisibility.count(light) == 0) checkLight(scene.lights[std::size_t(light)], settings, request);
+    }
+    for (const char* place : {"ao", "indirect", "aa"}) request.places.emplace_back(place);
+    for (const auto& [light, image] : settings.givenVisibility)
+        if (image.width() != settings.width || image.height() != settings.height || image.planeCount() < 1)
+            throw Error(ErrorCode::Usage, fmt::format("the visibility given for light {} has another size than the picture", light));
+    for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
+        for (const TechniqueSpec& spec : *pipeline)
+            request.needsStencil = request.needsStencil || techniqueEntry(spec.id).traits.needsStencil;
+
+    // A light beyond the first shows its intermediates as NAME@LIGHT.
+    std::vector<std::string> names{"all"};
+    for (const PassInfo& pass : showNamesOf(settings)) {
+        names.push_back(pass.name);
+        for (std::size_t i = 1; i < request.lights.size(); ++i)
+            names.push_back(pass.name + "@" + scene.lights[std::size_t(request.lights[i])].name);
+    }
+    for (const std::string& wanted : settings.show)
+        if (std::find(names.begin(), names.end(), wanted) == names.end()) throw unknownName("picture to show", wanted, names);
+    return request;
+}
+
+std::vector<PassInfo> showNamesOf(const RenderSettings& settings) {
+    std::vector<PassInfo> names = {{"final", "the composed picture"},
+                                   {"visibility", "of the first light, 1 = lit"},
+                                   {"ao", "visibility of the surroundings after filtering, 1 = open"},
+                                   {"indirect", "one-bounce radiance"}};
+    const auto& views = standardGBufferViews();
+    names.insert(names.end(), views.begin(), views.end());
+    if (settings.ao.size() > 1) names.push_back({"ao-unfiltered", "visibility of the surroundings before filtering"});
+    for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
+        for (const TechniqueSpec& spec : *pipeline) {
+            const auto& passes = techniqueEntry(spec.id).traits.passes;
+            names.insert(names.end(), passes.begin(), passes.end());
+        }
+    return names;
+}
+
+}  // namespace ombrage

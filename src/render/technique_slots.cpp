@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "render/technique_slots.h"
+
+#include <algorithm>
+
+#include "render/frame_context.h"
+
+namespace ombrage {
+
+const std::vector<std::unique_ptr<Technique>>& TechniqueSlots::get(const std::string& place, const Pipeline& pipeline,
+                                                                   FrameContext& frame) {
+    Place& slot = m_places[place];
+    if (slot.techniques.empty() || slot.pipeline != pipeline) {
+        slot.pipeline = pipeline;
+        slot.techniques.clear();
+        for (const TechniqueSpec& spec : pipeline) slot.techniques.push_back(createTechnique(spec));
+        slot.generation = 0;
+    }
+    if (slot.generation != m_generation) {
+        for (const auto& technique : slot.techniques) technique->prepare(frame);
+        slot.generation = m_generation;
+    }
+    return slot.techniques;
+}
+
+void TechniqueSlots::keepOnly(const std::vector<std::string>& places) {
+    for (auto place = m_places.begin(); place != m_places.end();) {
+        const bool kept = std::find(places.begin(), places.end(), place->first) != places.end();
+        place = kept ? std::next(place) : m_places.erase(place);
+    }
+}
+
+std::uint64_t TechniqueSlots::gpuBytes() const {
+    std::uint64_t bytes = 0;
+    for (const auto& [name, place] : m_places)
+        for (const auto& technique : place.techniques) bytes += technique->gpuBytes();
+    return bytes;
+}
+
+}  // namespace ombrage

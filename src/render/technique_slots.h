@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "render/technique.h"
+
+namespace ombrage {
+
+/// The technique objects of a renderer: one per place of each pipeline, kept between frames and calls as long as the place
+/// asks for the same technique, and told to prepare when what they depend on changed.
+class TechniqueSlots {
+public:
+    /// Techniques of a pipeline at `place` ("shadow of light 0"), ready to render.
+    const std::vector<std::unique_ptr<Technique>>& get(const std::string& place, const Pipeline& pipeline, FrameContext& frame);
+
+    /// Everything must be prepared again: the size, the scene or the G-buffer changed.
+    void invalidate() { ++m_generation; }
+
+    /// Destroys every technique that is at no place of `places`.
+    void keepOnly(const std::vector<std::string>& places);
+
+    void clear() { m_places.clear(); }
+
+    std::uint64_t gpuBytes() const;
+
+private:
+    struct Place {
+        Pipeline pipeline;
+        std::vector<std::unique_ptr<Technique>> techniques;
+        std::uint64_t generation = 0;
+    };
+    std::map<std::string, Place> m_places;
+    std::uint64_t m_generation = 1;
+};
+
+}  // namespace ombrage
