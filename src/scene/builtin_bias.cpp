@@ -23,7 +23,7 @@ Scene planeGrazing() {
         .object("floor", shapes::floor(20.0f, 0.0f, 16), kStone)
         .object("box", shapes::box({-0.2f, -0.01f, -0.2f}, {0.2f, 0.4f, 0.2f}), kClay, {6.5, 0.0, -3.0}, 25.0)
         .sun("sun", direction, 25.0f)
-        .camera("main", {-7.0, 1.7, 6.0}, {2.0, 0.0, -1.0})
+        .camera("main", {1.5, 2.2, 3.5}, {6.0, 0.0, -3.2})
         .camera("left", {8.5, 1.2, 3.0}, {5.5, 0.0, -4.0})
         .camera("top", {0.0, 16.0, 9.0}, {0.0, 0.0, 0.0})
         .finish(0.5f);
@@ -33,8 +33,8 @@ Scene gap() {
     return SceneBuilder("gap")
         .object("floor", shapes::floor(6.0f), kStone)
         .object("box", shapes::box({-0.5f, 0.001f, -0.5f}, {0.5f, 1.001f, 0.5f}), kSea, {0.0, 0.0, 0.0}, 20.0)
-        .sun("sun", {-1.0f, -2.0f, -0.1f}, 3.0f)
-        .camera("main", {1.2, 1.5, 2.9}, {-0.3, 0.3, -0.1})
+        .sun("sun", {-0.8f, -1.6f, 0.9f}, 3.0f)
+        .camera("main", {-1.3, 1.5, 2.9}, {-0.1, 0.3, 0.1})
         .camera("left", {-2.6, 0.9, 1.4}, {0.0, 0.3, 0.0})
         .camera("top", {-0.6, 4.2, 0.9}, {-0.2, 0.0, -0.1})
         .finish(0.5f);
