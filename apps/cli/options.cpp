@@ -68,15 +68,15 @@ void Options::add(const std::string& names, const std::string& help, Take take) 
     if (take == Take::Flag) {
         m_app.add_flag(names, made->flag, help);
     } else {
-        CLI::Option* option = m_app.add_option(names, made->values, help);
         // One value an occurrence, so that "--set a=1 SCENE" does not swallow the scene.
-        if (made->positional) {
-            option->expected(take == Take::Many ? -1 : 1);
-        } else {
-            option->expected(1)->allow_extra_args(false);
-            option->multi_option_policy(take == Take::Many ? CLI::MultiOptionPolicy::TakeAll
-                                                           : CLI::MultiOptionPolicy::Throw);
-        }
+        Entry* target = made.get();
+        CLI::Option* option = take == Take::Many
+                                  ? m_app.add_option(names, target->values, help)
+                                  : m_app.add_option_function<std::string>(
+                                        names, [target](const std::string& value) { target->values = {value}; }, help);
+        if (take == Take::Many && made->positional) option->expected(-1);
+        if (take == Take::Many && !made->positional)
+            option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         option->type_name(made->positional ? "" : "TEXT");
     }
     m_entries.emplace(key, std::move(made));
