@@ -138,11 +138,11 @@ TEST_P(EveryTechnique, EveryParameterIsLive) {
     const auto costOnly = sheet.value("costOnly", std::vector<std::string>{});
     for (const ParamInfo& param : info().params) {
         std::vector<std::string> values;
-        if (param.type == ParamType::Enum)
+        if (param.type == ombrage::ParamType::Enum)
             values = param.choices;
-        else if (param.type == ParamType::Bool)
+        else if (param.type == ombrage::ParamType::Bool)
             values = {"false", "true"};
-        else if (param.type == ParamType::Int)
+        else if (param.type == ombrage::ParamType::Int)
             values = {std::to_string(std::int64_t(param.minimum)), std::to_string(std::int64_t(param.maximum))};
         else
             values = {toString(ParamValue(param.minimum)), toString(ParamValue(param.maximum))};
@@ -178,9 +178,9 @@ TEST_P(EveryTechnique, EveryVariantCompiles) {
     for (const ParamInfo& param : info().params) {
         if (param.effect != ParamEffect::Define) continue;
         std::vector<std::pair<std::string, std::string>> values;
-        if (param.type == ParamType::Enum)
+        if (param.type == ombrage::ParamType::Enum)
             for (const std::string& choice : param.choices) values.emplace_back(param.key, choice);
-        else if (param.type == ParamType::Bool)
+        else if (param.type == ombrage::ParamType::Bool)
             values = {{param.key, "false"}, {param.key, "true"}};
         else
             values = {{param.key, toString(ParamValue(std::int64_t(param.minimum)))}, {param.key, toString(ParamValue(std::int64_t(param.maximum)))}};
