@@ -28,19 +28,22 @@ struct Box {
 /// What Embree builds: a leaf holds triangles, an inner node two children.
 struct BuildNode {
     BuildNode* children[2] = {nullptr, nullptr};
-    Box boxes[2] = {};   // of the children
+    Box boxes[2] = {};  // of the children
     unsigned count = 0;
     std::uint32_t triangles[kMaxLeafTriangles] = {};
 };
 
-Box boxOf(const RTCBounds& b) { return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}}; }
+Box boxOf(const RTCBounds& b) {
+    return {{b.lower_x, b.lower_y, b.lower_z}, {b.upper_x, b.upper_y, b.upper_z}};
+}
 
 void* createNode(RTCThreadLocalAllocator allocator, unsigned, void*) {
     return new (rtcThreadLocalAlloc(allocator, sizeof(BuildNode), alignof(BuildNode))) BuildNode;
 }
 
 void setChildren(void* node, void** children, unsigned count, void*) {
-    for (unsigned i = 0; i < count; ++i) static_cast<BuildNode*>(node)->children[i] = static_cast<BuildNode*>(children[i]);
+    for (unsigned i = 0; i < count; ++i)
+        static_cast<BuildNode*>(node)->children[i] = static_cast<BuildNode*>(children[i]);
 }
 
 void setBounds(void* node, const RTCBounds** bounds, unsigned count, void*) {
@@ -55,7 +58,8 @@ void* createLeaf(RTCThreadLocalAllocator allocator, const RTCBuildPrimitive* pri
 }
 
 /// The triangles' boxes; those without a finite one are left out.
-std::vector<RTCBuildPrimitive> primitivesOf(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+std::vector<RTCBuildPrimitive> primitivesOf(const std::vector<glm::vec3>& positions,
+                                            const std::vector<glm::uvec3>& triangles,
                                             const std::vector<std::uint32_t>& wanted, Box& all) {
     std::vector<RTCBuildPrimitive> primitives;
     primitives.reserve(wanted.size());
@@ -90,13 +94,15 @@ void flattenTree(const BuildNode* node, const Box& box, int depth, Bvh& bvh) {
 
 }  // namespace
 
-Bvh buildBvh(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles, const std::vector<std::uint32_t>& wanted) {
+Bvh buildBvh(const std::vector<glm::vec3>& positions, const std::vector<glm::uvec3>& triangles,
+             const std::vector<std::uint32_t>& wanted) {
     Bvh bvh;
     Box all;
     std::vector<RTCBuildPrimitive> primitives = primitivesOf(positions, triangles, wanted, all);
     if (primitives.empty()) return bvh;
     if (primitives.size() >= std::size_t(1) << 28)
-        throw Error(ErrorCode::Input, "the scene has too many triangles for ray tracing", "Use fewer than 268 million.");
+        throw Error(ErrorCode::Input, "the scene has too many triangles for ray tracing",
+                    "Use fewer than 268 million.");
 
     using Device = std::unique_ptr<RTCDeviceTy, decltype(&rtcReleaseDevice)>;
     using Tree = std::unique_ptr<RTCBVHTy, decltype(&rtcReleaseBVH)>;
@@ -116,7 +122,9 @@ Bvh buildBvh(const std::vector<glm::vec3>& positions, const std::vector<glm::uve
     arguments.setNodeBounds = setBounds;
     arguments.createLeaf = createLeaf;
     const auto* root = tree ? static_cast<const BuildNode*>(rtcBuildBVH(&arguments)) : nullptr;
-    if (!root) throw Error(ErrorCode::Environment, "Embree cannot build its tree", "Free some memory or reinstall libembree3.");
+    if (!root)
+        throw Error(ErrorCode::Environment, "Embree cannot build its tree",
+                    "Free some memory or reinstall libembree3.");
 
     bvh.nodes.reserve(primitives.size());
     bvh.order.reserve(primitives.size());

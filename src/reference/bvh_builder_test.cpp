@@ -29,7 +29,8 @@ std::vector<std::uint32_t> everyId(std::size_t count) {
 }
 
 bool inside(const BvhNode& inner, const BvhNode& outer) {
-    return glm::all(glm::greaterThanEqual(inner.lower, outer.lower)) && glm::all(glm::lessThanEqual(inner.upper, outer.upper));
+    return glm::all(glm::greaterThanEqual(inner.lower, outer.lower)) &&
+           glm::all(glm::lessThanEqual(inner.upper, outer.upper));
 }
 
 TEST(BvhBuilder, HoldsEveryWantedTriangleOnceInsideItsLeaf) {
@@ -48,7 +49,8 @@ TEST(BvhBuilder, HoldsEveryWantedTriangleOnceInsideItsLeaf) {
             const glm::uvec3 t = triangles[bvh.order[node.firstTriangle() + i]];
             for (int k = 0; k < 3; ++k) {
                 const glm::vec3 p = positions[t[k]];
-                EXPECT_TRUE(glm::all(glm::greaterThanEqual(p, node.lower)) && glm::all(glm::lessThanEqual(p, node.upper)));
+                EXPECT_TRUE(glm::all(glm::greaterThanEqual(p, node.lower)) &&
+                            glm::all(glm::lessThanEqual(p, node.upper)));
             }
         }
 }

@@ -16,7 +16,7 @@ namespace ombrage {
 namespace {
 
 constexpr GLuint kNodeStorage = 3, kTriangleStorage = 4, kSlotStorage = 5, kAlphaStorage = 6;
-constexpr std::size_t kRecordWords = 8;   // uv of three corners, first word of the bits, size
+constexpr std::size_t kRecordWords = 8;  // uv of three corners, first word of the bits, size
 
 std::uint32_t bitsOf(float value) {
     std::uint32_t bits;
@@ -35,11 +35,13 @@ void checkSize(std::size_t bytes) {
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &largest);
     if (bytes > std::size_t(largest))
         throw Error(ErrorCode::Environment,
-                    fmt::format("the scene's ray-tracing data takes {} bytes, and this driver's storage blocks hold {}", bytes, largest),
+                    fmt::format("the scene's ray-tracing data takes {} bytes, and this driver's storage blocks hold {}",
+                                bytes, largest),
                     "Use a smaller scene or another shadow technique.");
 }
 
-/// Holes of masked materials: a bit per texel that is below the cut-off, rows from the top, padded to words per material.
+/// Holes of masked materials: a bit per texel that is below the cut-off, rows from the top, padded to words per
+/// material.
 class HoleBits {
 public:
     explicit HoleBits(const Scene& scene) : m_scene(scene) {}
@@ -53,7 +55,8 @@ public:
         if (known != m_fields.end()) return known->second;
         const Material& material = m_scene.materials[std::size_t(index)];
         Field field{std::uint32_t(m_words.size())};
-        const Texture* texture = material.baseColorTexture >= 0 ? &m_scene.textures[std::size_t(material.baseColorTexture)] : nullptr;
+        const Texture* texture =
+            material.baseColorTexture >= 0 ? &m_scene.textures[std::size_t(material.baseColorTexture)] : nullptr;
         if (texture) {
             field.width = std::uint32_t(texture->width);
             field.height = std::uint32_t(texture->height);
@@ -135,7 +138,8 @@ void GpuBvh::packTriangles(const GpuScene& scene, const std::vector<std::uint32_
     // The bits follow the records in one buffer.
     for (std::size_t i = 0; i < alpha.size(); i += kRecordWords) alpha[i + 6] += std::uint32_t(alpha.size());
     alpha.insert(alpha.end(), holes.words().begin(), holes.words().end());
-    for (const std::size_t bytes : {corners.size() * sizeof(glm::vec4), alpha.size() * sizeof(std::uint32_t)}) checkSize(bytes);
+    for (const std::size_t bytes : {corners.size() * sizeof(glm::vec4), alpha.size() * sizeof(std::uint32_t)})
+        checkSize(bytes);
     m_triangles = gl::Buffer::from(corners, "ray-tracing triangles");
     m_slots = gl::Buffer::from(slots, "ray-tracing slots");
     m_alpha = gl::Buffer::from(alpha, "ray-tracing holes");
@@ -150,12 +154,15 @@ void GpuBvh::bind(const gl::Program& program) const {
     program.set("u_bvhExtent_m", m_extent_m);
 }
 
-std::uint64_t GpuBvh::gpuBytes() const { return m_nodes.size() + m_triangles.size() + m_slots.size() + m_alpha.size(); }
+std::uint64_t GpuBvh::gpuBytes() const {
+    return m_nodes.size() + m_triangles.size() + m_slots.size() + m_alpha.size();
+}
 
 gl::Buffer excludedInstances(const GpuScene& scene, const std::vector<int>& excludedModels) {
     std::vector<std::uint32_t> flags;
     for (const FlatInstance& instance : scene.flat().instances)
-        flags.push_back(std::find(excludedModels.begin(), excludedModels.end(), instance.model) != excludedModels.end() ? 1u : 0u);
+        flags.push_back(
+            std::find(excludedModels.begin(), excludedModels.end(), instance.model) != excludedModels.end() ? 1u : 0u);
     return gl::Buffer::from(flags, "ray-tracing exclusions");
 }
 

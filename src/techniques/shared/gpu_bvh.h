@@ -10,8 +10,8 @@
 
 namespace ombrage {
 
-/// The scene's triangles and a hierarchy over those that cast, in storage buffers for shared/gpu_bvh.glsl. Shared through
-/// GpuScene::derived().
+/// The scene's triangles and a hierarchy over those that cast, in storage buffers for shared/gpu_bvh.glsl. Shared
+/// through GpuScene::derived().
 class GpuBvh {
 public:
     /// @throws Error(Environment) when a buffer is larger than the driver's storage blocks.

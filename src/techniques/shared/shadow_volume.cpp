@@ -15,8 +15,8 @@ namespace {
 
 constexpr GLuint kPositionStorage = 3;
 
-/// w of the far ends under an orthographic camera: 1e5 times the distance to the light, beyond any scene, and a ray bends by
-/// 1e-5 of its length.
+/// w of the far ends under an orthographic camera: 1e5 times the distance to the light, beyond any scene, and a ray
+/// bends by 1e-5 of its length.
 constexpr float kOrthographicInfinity = 1e-5f;
 
 bool contains(const glm::vec3& lower, const glm::vec3& upper, const glm::vec3& p, float margin) {
@@ -38,19 +38,24 @@ SceneTopology::SceneTopology(const GpuScene& scene) {
     }
 }
 
-void ShadowVolumes::reset() { m_key.reset(); }
+void ShadowVolumes::reset() {
+    m_key.reset();
+}
 
 void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options) {
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const auto& instances = frame.gpuScene->flat().instances;
     const bool isSun = light.light->type == LightType::Sun;
 
-    // Triangles turned away from the light are enough where every ray to the light enters the mesh as often as it leaves it: a
-    // closed mesh with eye and light outside. Inside of its bounds, and for open meshes, all triangles cast.
-    Key key{light.light->type, light.light->position, light.light->direction, options, std::vector<bool>(instances.size())};
+    // Triangles turned away from the light are enough where every ray to the light enters the mesh as often as it
+    // leaves it: a closed mesh with eye and light outside. Inside of its bounds, and for open meshes, all triangles
+    // cast.
+    Key key{light.light->type, light.light->position, light.light->direction, options,
+            std::vector<bool>(instances.size())};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         const glm::vec3 lower = topology.lower(i), upper = topology.upper(i);
-        const float eyeMargin_m = 4.0f * frame.view.near_m;   // the corners of the near plane, for a field of view up to 150 degrees
+        const float eyeMargin_m =
+            4.0f * frame.view.near_m;  // the corners of the near plane, for a field of view up to 150 degrees
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
                       contains(lower, upper, frame.view.eye, eyeMargin_m) ||
                       (!isSun && contains(lower, upper, light.position, 0.0f));
@@ -89,7 +94,8 @@ void ShadowVolumes::build(FrameContext& frame, const Key& key, const std::vector
     m_inward = {};
     m_edges = 0;
     VolumeTriangles all;
-    const auto append = [](Part& part, std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from, std::size_t instance) {
+    const auto append = [](Part& part, std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
+                           std::size_t instance) {
         if (from.empty()) return;
         part.commands.push_back({std::uint32_t(from.size()), 1, std::uint32_t(to.size()), 0, std::uint32_t(instance)});
         to.insert(to.end(), from.begin(), from.end());
@@ -115,7 +121,8 @@ void ShadowVolumes::upload(FrameContext& frame, const VolumeTriangles& triangles
     std::vector<std::uint32_t> ids(frame.gpuScene->flat().instances.size());
     std::iota(ids.begin(), ids.end(), 0u);
     m_instanceIds = gl::Buffer::from(ids, "shadow volume instance ids");
-    m_vertices = gl::VertexArray({{0, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1}}, {{4, 1, GL_UNSIGNED_INT, 0, 0}}, m_indices.id());
+    m_vertices = gl::VertexArray({{0, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1}},
+                                 {{4, 1, GL_UNSIGNED_INT, 0, 0}}, m_indices.id());
 }
 
 void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, const gl::Program& program, bool outward) const {

@@ -31,13 +31,13 @@ private:
 };
 
 struct ShadowVolumeOptions {
-    bool perTriangle = false;   ///< a volume per casting triangle instead of one per silhouette
-    bool caps = true;           ///< as depth-fail counting needs
+    bool perTriangle = false;  ///< a volume per casting triangle instead of one per silhouette
+    bool caps = true;          ///< as depth-fail counting needs
     bool operator==(const ShadowVolumeOptions&) const = default;
 };
 
-/// Shadow volumes of all casters of one light, extruded to infinity. The CPU finds which triangles bound them and emits indices
-/// only; positions come from the G-buffer's own vertices through ombrage/vertex.glsl, so both meet bit by bit.
+/// Shadow volumes of all casters of one light, extruded to infinity. The CPU finds which triangles bound them and emits
+/// indices only; positions come from the G-buffer's own vertices through ombrage/vertex.glsl, so both meet bit by bit.
 class ShadowVolumes {
 public:
     /// Builds them anew when the light, the options or the side that the eye is on changed.

@@ -15,15 +15,18 @@ namespace ombrage {
 
 namespace {
 
-constexpr std::size_t kGrain = 8192;   // triangles or edges per task: some 50 microseconds of work
+constexpr std::size_t kGrain = 8192;  // triangles or edges per task: some 50 microseconds of work
 
-bool isFinite(const glm::vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+bool isFinite(const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
 
 /// Per vertex the first one at the same place. Equal means equal bits, but that -0 is 0.
 std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
     std::vector<std::uint32_t> order(positions.size());
     std::iota(order.begin(), order.end(), 0u);
-    order.erase(std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !isFinite(positions[v]); }), order.end());
+    order.erase(std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !isFinite(positions[v]); }),
+                order.end());
     tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         const glm::vec3 &p = positions[a], &q = positions[b];
         if (p.x != q.x) return p.x < q.x;
@@ -39,7 +42,7 @@ std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
 
 /// One side of a triangle, to be sorted by its edge.
 struct EdgeUse {
-    std::uint64_t edge;   // smaller vertex in the upper half, larger in the lower
+    std::uint64_t edge;  // smaller vertex in the upper half, larger in the lower
     std::uint32_t use;
     bool operator<(const EdgeUse& o) const { return edge != o.edge ? edge < o.edge : use < o.use; }
 };
@@ -52,7 +55,8 @@ MeshTopology::MeshTopology(const Mesh& mesh) {
     uses.reserve(mesh.indices.size());
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::uvec3 t(mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]);
-        if (!isFinite(mesh.positions[t.x]) || !isFinite(mesh.positions[t.y]) || !isFinite(mesh.positions[t.z])) continue;
+        if (!isFinite(mesh.positions[t.x]) || !isFinite(mesh.positions[t.y]) || !isFinite(mesh.positions[t.z]))
+            continue;
         const glm::uvec3 w(welded[t.x], welded[t.y], welded[t.z]);
         if (w.x == w.y || w.y == w.z || w.z == w.x) continue;
 
@@ -66,7 +70,8 @@ MeshTopology::MeshTopology(const Mesh& mesh) {
         m_triangles.push_back(t);
         for (int k = 0; k < 3; ++k) {
             const std::uint32_t from = w[k], to = w[(k + 1) % 3];
-            uses.push_back({std::uint64_t(std::min(from, to)) << 32 | std::max(from, to), triangle * 2 + (from > to ? 1u : 0u)});
+            uses.push_back(
+                {std::uint64_t(std::min(from, to)) << 32 | std::max(from, to), triangle * 2 + (from > to ? 1u : 0u)});
         }
     }
     tbb::parallel_sort(uses.begin(), uses.end());
@@ -95,7 +100,8 @@ void VolumeTriangles::clear() {
 /// The steps of appendVolume.
 class VolumeBuilder {
 public:
-    VolumeBuilder(const MeshTopology& topology, const VolumeRequest& request) : m_topology(topology), m_request(request) {}
+    VolumeBuilder(const MeshTopology& topology, const VolumeRequest& request)
+        : m_topology(topology), m_request(request) {}
 
     void build(VolumeTriangles& out) {
         classify();
@@ -120,16 +126,17 @@ private:
     std::uint32_t near(std::uint32_t vertex) const { return (m_request.firstVertex + vertex) * 2; }
     std::uint32_t far(std::uint32_t vertex) const { return near(vertex) + 1; }
 
-    /// The side below the edge from a to b of a near cap that is counter-clockwise seen from the light, so the side runs from b
-    /// to a. A mirror turns it round. The far ends of a sun's side are one point (Everitt and Kilgard 2002, section 5.3).
+    /// The side below the edge from a to b of a near cap that is counter-clockwise seen from the light, so the side
+    /// runs from b to a. A mirror turns it round. The far ends of a sun's side are one point (Everitt and Kilgard 2002,
+    /// section 5.3).
     void appendSide(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& to) const {
         if (m_request.mirrored) std::swap(a, b);
         to.insert(to.end(), {near(b), near(a), far(a)});
         if (m_request.light_local.w != 0.0) to.insert(to.end(), {near(b), far(a), far(b)});
     }
 
-    /// One side per count: the signed sum over the casting triangles of how often they run through the edge (Bergeron 1986; Kim
-    /// et al. 2008). Sides between two triangles that face alike cancel.
+    /// One side per count: the signed sum over the casting triangles of how often they run through the edge (Bergeron
+    /// 1986; Kim et al. 2008). Sides between two triangles that face alike cancel.
     void appendSilhouetteSides(VolumeTriangles& out) const {
         const std::size_t edgeCount = m_topology.edgeCount(), chunks = (edgeCount + kGrain - 1) / kGrain;
         std::vector<std::vector<std::uint32_t>> parts(chunks);
@@ -164,8 +171,8 @@ private:
         }
     }
 
-    /// Near caps keep the mesh's order of corners, so that their depth has the bits of the G-buffer's. Far caps close the
-    /// volumes of lamps; a sun's sides meet in one point and need none.
+    /// Near caps keep the mesh's order of corners, so that their depth has the bits of the G-buffer's. Far caps close
+    /// the volumes of lamps; a sun's sides meet in one point and need none.
     void appendCaps(VolumeTriangles& out) const {
         const bool farCaps = m_request.light_local.w != 0.0;
         for (std::size_t t = 0; t < m_weight.size(); ++t) {

@@ -7,6 +7,10 @@
 #include "shared/light_sampling.glsl"
 #include "shared/sample_patterns.glsl"
 
+#ifdef SOFT
+uniform ivec2 u_sampleRange;   // this pass takes the samples from x up to y; passes add up
+#endif
+
 layout(location = 0) out float o_visibility;
 
 vec2 samplePoint(uint index, uint seed, vec2 px) {
@@ -62,10 +66,10 @@ void main() {
         if (asked) {
 #ifdef SOFT
             uint seed = hashOf(hashOf(uint(px.x), uint(px.y)), frame.random.x);
-            uint count = uint(params.samples), seen = 0u;
-            for (uint i = 0u; i < count; ++i)
-                if (isSeen(o, sampleLight(o.p_world, samplePoint(i, seed, gl_FragCoord.xy)))) ++seen;
-            o_visibility = float(seen) / float(count);
+            uint seen = 0u;
+            for (int i = u_sampleRange.x; i < u_sampleRange.y; ++i)
+                if (isSeen(o, sampleLight(o.p_world, samplePoint(uint(i), seed, gl_FragCoord.xy)))) ++seen;
+            o_visibility = float(seen) / float(params.samples);
 #else
             o_visibility = isSeen(o, centre) ? 1.0 : 0.0;
 #endif

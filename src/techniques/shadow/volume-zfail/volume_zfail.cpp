@@ -29,7 +29,8 @@ struct VolumeZFailParams {
         return fields(
             field(&P::twoSided, "two-sided")
                 .effect(ParamEffect::Host)
-                .help("One pass that counts front and back faces at once, instead of one pass each; the picture is the same."),
+                .help("One pass that counts front and back faces at once, instead of one pass each; the picture is the "
+                      "same."),
             field(&P::faces, "faces")
                 .effect(ParamEffect::Host)
                 .help("Extrude the silhouette, or every casting triangle: the same picture for many times the fill."));
@@ -54,8 +55,9 @@ public:
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
 
 private:
-    /// Everitt and Kilgard 2002, section 3.3: behind the surface, faces that leave a volume count up and those that enter one down.
-    /// Reversed depth: what lies behind fails GL_GREATER, and so does the surface itself, which is its own volume's near cap.
+    /// Everitt and Kilgard 2002, section 3.3: behind the surface, faces that leave a volume count up and those that
+    /// enter one down. Reversed depth: what lies behind fails GL_GREATER, and so does the surface itself, which is its
+    /// own volume's near cap.
     void countVolumes(FrameContext& frame, const LightFrame& light) {
         const auto pass = frame.pass("shadow volumes");
         const gl::Framebuffer target({}, {&frame.gbuffer->depth}, "shadow volumes");
@@ -68,7 +70,7 @@ private:
         gl::DrawState state;
         state.depthTest = true;
         state.depthFunc = GL_GREATER;
-        state.depthClamp = frame.view.orthographic;   // its far plane would cut the volumes open
+        state.depthClamp = frame.view.orthographic;  // its far plane would cut the volumes open
         state.stencilTest = true;
         state.colorWrite = false;
         for (const bool outward : {true, false}) {
@@ -108,15 +110,17 @@ private:
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(shadow, volume_zfail, VolumeZFail,
-                  {.title = "Shadow volumes, z-fail",
-                   .summary = "Stencil shadow volumes of the casters' silhouettes, counted behind the visible surface, so that "
-                              "an eye in shadow needs no care (Carmack's reverse).",
-                   .papers = {"EverittKilgard2002", "Crow1977", "Bergeron1986", "Kim2008"},
-                   .limits = "Hard shadows of opaque triangles only: holes of alpha-tested casters are filled, and the fill cost grows "
-                             "with the silhouettes on the screen.",
-                   .domain = {.rect = false, .closedCastersOnly = true, .alphaTest = false},
-                   .passes = {{"volume-stencil", "count of volumes that hold the visible surface"}},
-                   .needsStencil = true})
+OMBRAGE_TECHNIQUE(
+    shadow, volume_zfail, VolumeZFail,
+    {.title = "Shadow volumes, z-fail",
+     .summary = "Stencil shadow volumes of the casters' silhouettes, counted behind the visible surface, so that "
+                "an eye in shadow needs no care (Carmack's reverse).",
+     .papers = {"everitt2002volumes", "crow1977", "bergeron1986", "kim2008volumes"},
+     .limits =
+         "Hard shadows of opaque triangles only: holes of alpha-tested casters are filled, and the fill cost grows "
+         "with the silhouettes on the screen.",
+     .domain = {.rect = false, .closedCastersOnly = true, .alphaTest = false},
+     .passes = {{"volume-stencil", "count of volumes that hold the visible surface"}},
+     .needsStencil = true})
 
 }  // namespace ombrage

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shared/silhouette.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace ombrage {
+namespace {
+
+/// A unit cube about the zero with its own four corners per face, as a loader makes it.
+Mesh cube() {
+    Mesh mesh;
+    for (int axis = 0; axis < 3; ++axis)
+        for (float side : {-0.5f, 0.5f}) {
+            const auto first = std::uint32_t(mesh.positions.size());
+            for (int k = 0; k < 4; ++k) {
+                glm::vec3 p(0);
+                p[axis] = side;
+                p[(axis + 1) % 3] = k == 1 || k == 2 ? 0.5f : -0.5f;
+                p[(axis + 2) % 3] = k >= 2 ? 0.5f : -0.5f;
+                mesh.positions.push_back(p);
+            }
+            const std::uint32_t order[2][6] = {{0, 2, 1, 0, 3, 2}, {0, 1, 2, 0, 2, 3}};
+            for (std::uint32_t i : order[side > 0 ? 1 : 0]) mesh.indices.push_back(first + i);
+        }
+    return mesh;
+}
+
+VolumeTriangles volumeOf(const Mesh& mesh, VolumeRequest request) {
+    VolumeTriangles out;
+    appendVolume(MeshTopology(mesh), request, out);
+    return out;
+}
+
+const glm::dvec4 kSunAbove(0.1, 1.0, 0.2, 0.0);   // sees three faces
+const glm::dvec4 kLampAbove(0.0, 3.0, 0.0, 1.0);  // sees the top alone
+
+TEST(Silhouette, CubeOfSeparateFacesIsClosedAndACubeWithAHoleIsNot) {
+    Mesh mesh = cube();
+    EXPECT_TRUE(MeshTopology(mesh).closed());
+    EXPECT_EQ(MeshTopology(mesh).edgeCount(), 18u);  // 12 and a diagonal per face
+    mesh.indices.resize(mesh.indices.size() - 3);
+    EXPECT_FALSE(MeshTopology(mesh).closed());
+}
+
+TEST(Silhouette, SunSidesAreSingleTrianglesWithoutAFarCap) {
+    // Three faces seen: a hexagon of 6 edges; 6 triangles turned away.
+    const VolumeTriangles v = volumeOf(cube(), {.light_local = kSunAbove});
+    EXPECT_EQ(v.edges, 6u);
+    EXPECT_EQ(v.outward.size() / 3, 6u);
+    EXPECT_EQ(v.inward.size() / 3, 6u);
+}
+
+TEST(Silhouette, LampSidesAreQuadsAndCapsComeTwice) {
+    // The top is seen: its 4 edges; 10 triangles turned away, each also at infinity.
+    const VolumeTriangles v = volumeOf(cube(), {.light_local = kLampAbove});
+    EXPECT_EQ(v.edges, 4u);
+    EXPECT_EQ(v.outward.size() / 3, 4u * 2 + 10);
+    EXPECT_EQ(v.inward.size() / 3, 10u);
+    for (std::uint32_t code : v.inward) EXPECT_EQ(code & 1u, 0u);
+}
+
+TEST(Silhouette, TriangleFacesOfAClosedMeshAreCountedOncePerSide) {
+    const VolumeTriangles v = volumeOf(cube(), {.light_local = kLampAbove, .perTriangle = true});
+    EXPECT_EQ(v.edges, 30u);  // 10 triangles
+}
+
+TEST(Silhouette, OpenMeshCountsItsBorderOnceAndItsFoldTwice) {
+    // A roof of two triangles about the ridge along z, wound upwards.
+    Mesh roof;
+    roof.positions = {{0, 1, -1}, {0, 1, 1}, {1, 0, 0}, {-1, 0, 0}};
+    roof.indices = {0, 1, 2, 1, 0, 3};
+    EXPECT_FALSE(MeshTopology(roof).closed());
+    EXPECT_EQ(MeshTopology(roof).edgeCount(), 5u);
+    const auto edges = [&](const glm::dvec4& light_local) {
+        return volumeOf(roof, {.light_local = light_local, .both = true, .caps = false}).edges;
+    };
+    // From above both face the light, and the ridge cancels; from the side one shows its back, and the ridge bounds
+    // both.
+    EXPECT_EQ(edges({0, 9, 0, 1}), 4u);
+    EXPECT_EQ(edges({9, 0.5, 0, 1}), 6u);
+}
+
+TEST(Silhouette, TrianglesWithoutAPlaceAreLeftOut) {
+    Mesh mesh = cube();
+    mesh.positions.push_back(glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+    const auto nan = std::uint32_t(mesh.positions.size()) - 1;
+    mesh.indices.insert(mesh.indices.end(), {0, 1, nan, 0, 0, 1});
+    const MeshTopology topology(mesh);
+    EXPECT_EQ(topology.triangleCount(), 12u);
+    EXPECT_TRUE(topology.closed());
+}
+
+TEST(Silhouette, MirrorSwapsTheSidesAndTheWayOfTheCaps) {
+    const VolumeTriangles plain = volumeOf(cube(), {.light_local = kSunAbove});
+    const VolumeTriangles mirrored = volumeOf(cube(), {.light_local = kSunAbove, .mirrored = true});
+    // The caps that were clockwise from outside are counter-clockwise in the mirror.
+    EXPECT_TRUE(mirrored.inward.empty());
+    EXPECT_EQ(mirrored.outward.size(), plain.outward.size() + plain.inward.size());
+    EXPECT_EQ(mirrored.outward[0], plain.outward[1]);
+    EXPECT_EQ(mirrored.outward[1], plain.outward[0]);
+}
+
+}  // namespace
+}  // namespace ombrage
