@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <ombrage/reference.h>
+#include <ombrage/scene.h>
+
+namespace ombrage {
+
+/// One direction towards a light.
+struct LightSample {
+    glm::dvec3 direction{0, 1, 0};  ///< unit, from the receiver
+    double distance_m = 0;          ///< to the light's surface; +inf for suns
+    double irradiance = 0;          ///< of a surface that faces the direction, per unit of colour, if the whole light
+                                    ///< shone as this sample does: the mean over samples times cosines is lx
+    bool facing = true;             ///< the receiver sees the lit side there
+};
+
+/// The shape of one light seen from receivers, in the space moved by an origin. Sphere lights and the sun are uniform
+/// in the solid angle of their cone, rects and the disk of a spot uniform in area and lit on one side (design section
+/// 6).
+class LightShape {
+public:
+    LightShape(const Light& light, const glm::dvec3& origin);
+
+    bool hasSize() const { return m_hasSize; }
+
+    /// The light's centre; irradiance as if all light came from there.
+    LightSample centre(const glm::dvec3& point) const;
+
+    /// The part of the light at `u` in [0,1)^2.
+    LightSample sample(const glm::dvec3& point, glm::vec2 u) const;
+
+    /// OutOfRange beyond range_m or wholly outside a spot's cone; BelowHorizon when the whole light is below the
+    /// tangent plane or shows its back; else Valid.
+    Mask mask(const glm::dvec3& point, const glm::dvec3& normal) const;
+
+private:
+    double spotFalloff(const glm::dvec3& fromLight) const;
+
+    const Light& m_light;
+    glm::dvec3 m_position;
+    glm::dvec3 m_direction;
+    glm::dvec3 m_tangent, m_bitangent;
+    bool m_hasSize;
+};
+
+/// Two unit vectors that complete `n` to an orthonormal basis.
+void basis(const glm::dvec3& n, glm::dvec3& t, glm::dvec3& b);
+
+/// Cosine-weighted direction about `n`.
+glm::dvec3 cosineDirection(const glm::dvec3& n, glm::vec2 u);
+
+}  // namespace ombrage

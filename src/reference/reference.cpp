@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <ombrage/reference.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <ombrage/error.h>
+
+#include "reference/reference_impl.h"
+
+namespace ombrage {
+namespace {
+
+double maskedShareOf(const std::vector<Mask>& mask) {
+    const auto sky = std::count(mask.begin(), mask.end(), Mask::Sky);
+    const auto valid = std::count(mask.begin(), mask.end(), Mask::Valid);
+    const auto seen = std::ptrdiff_t(mask.size()) - sky;
+    return seen > 0 ? double(seen - valid) / double(seen) : 0.0;
+}
+
+}  // namespace
+
+Reference::Reference(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
+Reference::~Reference() = default;
+
+SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index) {
+    SurfacePoint p;
+    p.triangle = receivers.triangle[index];
+    p.instance = receivers.instance[index];
+    const glm::uvec3 t = flat.triangles[p.triangle];
+    const glm::dvec3 a(flat.positions[t.x]), b(flat.positions[t.y]), c(flat.positions[t.z]);
+    const glm::dvec2 uv(receivers.barycentric[index]);
+    p.position = a + (b - a) * uv.x + (c - a) * uv.y;
+
+    // The stored normal tells the side; the triangle gives it in full precision.
+    const glm::dvec3 stored(receivers.normal[index]);
+    const glm::dvec3 n = glm::cross(b - a, c - a);
+    const double length = glm::length(n);
+    p.normal = length > 0 ? n / length : stored;
+    if (glm::dot(p.normal, stored) < 0) p.normal = -p.normal;
+    p.shadingNormal = glm::normalize(glm::dvec3(receivers.shadingNormal[index]));
+    return p;
+}
+
+int samplesPerScrambling(int total, int fallback) {
+    if (total < 0)
+        throw Error(ErrorCode::Usage, "samples per pixel is " + std::to_string(total), "Use 0 for the default.");
+    return ((total > 0 ? total : fallback) + kScramblings - 1) / kScramblings;
+}
+
+Reference::Estimate combine(const std::array<double, kScramblings>& means) {
+    const double mean = std::accumulate(means.begin(), means.end(), 0.0) / kScramblings;
+    double squares = 0;
+    for (double m : means) squares += (m - mean) * (m - mean);
+    // Standard error of the mean of independent scramblings.
+    return {mean, std::sqrt(squares / (kScramblings - 1) / kScramblings)};
+}
+
+std::uint32_t pointSeed(std::uint64_t seed, std::uint32_t stream, std::uint32_t index) {
+    const std::uint32_t run = hashCombine(std::uint32_t(seed), std::uint32_t(seed >> 32));
+    return hashCombine(hashCombine(run, stream), index);
+}
+
+std::vector<bool> shadingInstances(const FlatScene& flat, const Light& light) {
+    std::vector<bool> shades(flat.instances.size());
+    for (std::size_t i = 0; i < shades.size(); ++i) {
+        const int model = flat.instances[i].model;
+        shades[i] =
+            flat.instances[i].casts && std::count(light.excludedModels.begin(), light.excludedModels.end(), model) == 0;
+    }
+    return shades;
+}
+
+void summarise(const std::vector<Mask>& mask, const std::vector<float>& standardError, double& meanStandardError,
+               double& maskedShare) {
+    double sum = 0;
+    std::size_t valid = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i)
+        if (mask[i] == Mask::Valid) {
+            sum += double(standardError[i]);
+            ++valid;
+        }
+    meanStandardError = valid > 0 ? sum / double(valid) : 0.0;
+    maskedShare = maskedShareOf(mask);
+}
+
+void checkReceivers(const Receivers& r) {
+    const std::size_t n = std::size_t(std::max(r.width, 0)) * std::size_t(std::max(r.height, 0));
+    if (r.instance.size() != n || r.triangle.size() != n || r.barycentric.size() != n || r.normal.size() != n ||
+        r.shadingNormal.size() != n)
+        throw Error(ErrorCode::Usage, "the receivers' arrays do not match their size",
+                    "Make them with Reference::receivers.");
+}
+
+void maskDisagreement(std::vector<Mask>& mask, double& maskedShare, const Receivers& receivers,
+                      const std::vector<std::uint32_t>& instance, const std::vector<std::uint32_t>& triangle) {
+    const std::size_t n = receivers.triangle.size();
+    if (mask.size() != n || instance.size() != n || triangle.size() != n)
+        throw Error(ErrorCode::Usage, "the picture's ids and the receivers differ in size");
+    for (std::size_t i = 0; i < n; ++i)
+        if (mask[i] == Mask::Valid && (instance[i] != receivers.instance[i] || triangle[i] != receivers.triangle[i]))
+            mask[i] = Mask::Disagree;
+    maskedShare = maskedShareOf(mask);
+}
+
+}  // namespace ombrage
