@@ -66,6 +66,9 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
+/// Ombrage uses no texture unit from this one on; a StateGuard saves those below.
+inline constexpr unsigned kGuardedTextureUnits = 32;
+
 /// Saves every piece of GL state that Ombrage touches and puts it back on destruction, for a host's context:
 /// program, vertex array, framebuffers, viewports, scissor, blend, depth, stencil, cull, front face, clip control,
 /// colour masks, polygon mode and offset, multisample, clip distances, texture units and samplers, image units, indexed

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cassert>
 
+#include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/texture_format.h"
 
@@ -15,6 +16,9 @@ void setEnabled(GLenum capability, bool enabled) {
         glEnable(capability);
     else
         glDisable(capability);
+    if (epoxy_has_gl_extension("GL_EXT_depth_bounds_test")) glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
+    // A sampler object on a unit would override the sampling state of every texture there.
+    glBindSamplers(0, GLsizei(kGuardedTextureUnits), nullptr);
 }
 
 void applyStencilFace(GLenum face, const DrawState::StencilFace& state) {

@@ -21,6 +21,8 @@ constexpr const char* kMendHint =
     "driver "
     "that gives OpenGL 4.5 through EGL.";
 
+constexpr const char* kDeviceHint = "Leave the device out to take the first that works, or ask for 'software'.";
+
 bool canLoad(const char* library) {
     // Never closed: libepoxy keeps using it.
     return dlopen(library, RTLD_LAZY | RTLD_LOCAL) != nullptr;
@@ -149,9 +151,9 @@ private:
             throw Error(ErrorCode::Usage, fmt::format("'{}' is no device", m_options.device),
                         "Give 'software' or the index of an EGL device as 'ombrage doctor' lists them.");
         if (std::size_t(index) >= m_devices.size())
-            fail(fmt::format("there is no EGL device {}, EGL lists {}", index, m_devices.size()));
+            fail(fmt::format("there is no EGL device {}, EGL lists {}", index, m_devices.size()), kDeviceHint);
         if (auto context = onDevice(m_devices[std::size_t(index)], false)) return context;
-        fail(fmt::format("EGL device {} gives no OpenGL 4.5", index));
+        fail(fmt::format("EGL device {} gives no OpenGL 4.5", index), kDeviceHint);
     }
 
     static EGLDisplay deviceDisplay(const Device& device) {
@@ -214,10 +216,10 @@ private:
         return fits;
     }
 
-    [[noreturn]] void fail(const std::string& what) const {
+    [[noreturn]] void fail(const std::string& what, const char* hint = kMendHint) const {
         std::string message = "no OpenGL 4.5 context: " + what;
         if (!m_trace.empty()) message += " (tried: " + join(m_trace, "; ") + ")";
-        throw Error(ErrorCode::Environment, message, kMendHint);
+        throw Error(ErrorCode::Environment, message, hint);
     }
 
     const ContextOptions& m_options;

@@ -71,7 +71,7 @@ void attachStage(GLuint program, const ShaderStage& stage, const ExpandedSource&
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
     if (compiled == GL_FALSE) {
-        const std::string log = mapLog(shaderLog(shader.id), source.files);
+        const std::string log = mapLog(shaderLog(shader.id), source.lines);
         throw Error(ErrorCode::Environment,
                     fmt::format("{} does not compile ({}):\n{}", stage.path, describe(desc), log), kCompileHint,
                     firstPlace(log));

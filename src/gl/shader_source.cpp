@@ -58,33 +58,37 @@ private:
 class Expander {
 public:
     Expander(const ShaderFiles& files, const ProgramDesc& desc, Dependencies& dependencies)
-        : m_files(files), m_desc(desc), m_dependencies(dependencies) {
-        m_names.push_back(kPreludeName);
-    }
+        : m_files(files), m_desc(desc), m_dependencies(dependencies) {}
 
     ExpandedSource run(const std::string& path) {
         include(path, {});
         std::string text = "#version 450 core\n";
         for (const auto& [name, value] : m_desc.defines) text += fmt::format("#define {} {}\n", name, value);
         for (const std::string& extension : m_extensions) text += extension;
-        return {text + m_body, m_names};
+
+        // Everything in front shifts the lines of the body.
+        std::vector<SourceLine> lines;
+        const auto count = std::count(text.begin(), text.end(), '\n');
+        for (int i = 1; i <= int(count); ++i) lines.push_back({kPreludeName, i});
+        lines.insert(lines.end(), m_lines.begin(), m_lines.end());
+        return {text + m_body, std::move(lines)};
     }
 
 private:
     /// Appends the text of `path`, asked for at `where` ("" for the stage itself).
     void include(const std::string& path, const std::string& where) {
-        if (m_always.count(path) != 0) return;
         checkCycle(path, where);
+        if (m_always.count(path) != 0) return;
         const std::string text = read(path, where);
 
         // An include inside #if may never reach the compiler, so a later one must bring the text again; guards keep it
         // from coming twice.
         const bool conditional = !m_conditions.empty() || m_guardDepth > 0;
-        const bool guarded = conditional || m_sometimes.count(path) != 0;
-        const std::string guard = "OMBRAGE_INCLUDED_" + std::to_string(idOf(path));
+        const bool guarded = conditional || m_guards.count(path) != 0;
         if (guarded) {
-            m_sometimes.insert(path);
-            m_body += fmt::format("#ifndef {0}\n#define {0}\n", guard);
+            const auto number = m_guards.emplace(path, m_guards.size() + 1).first->second;
+            addLine(fmt::format("#ifndef OMBRAGE_INCLUDED_{}", number), {path, 1});
+            addLine(fmt::format("#define OMBRAGE_INCLUDED_{}", number), {path, 1});
             ++m_guardDepth;
         }
         if (!conditional) m_always.insert(path);
@@ -94,15 +98,13 @@ private:
         m_stack.pop_back();
 
         if (guarded) {
-            m_body += "#endif\n";
+            addLine("#endif", {path, 1});
             --m_guardDepth;
         }
     }
 
     void appendLines(const std::string& path, const std::string& text) {
-        const int id = idOf(path);
         const std::size_t outerConditions = m_conditions.size();
-        m_body += fmt::format("#line 1 {}\n", id);
         CommentTracker comments;
         int number = 0;
         for (const std::string& line : split(text, '\n')) {
@@ -111,20 +113,23 @@ private:
             const std::string where = fmt::format("{}:{}", path, number);
             if (directive.name == "include") {
                 include(includePath(directive.rest, where), where);
-                m_body += fmt::format("#line {} {}\n", number + 1, id);
             } else if (directive.name == "extension") {
                 hoistExtension(directive.rest);
-                m_body += '\n';
             } else if (directive.name == "version") {
                 throw Error(ErrorCode::Usage, "a shader source holds a #version line",
                             "Remove it: '#version 450 core' is put in front of every stage.", where);
             } else {
                 followCondition(directive, where, outerConditions);
-                m_body += line + '\n';
+                addLine(line, {path, number});
             }
         }
         if (m_conditions.size() != outerConditions)
             throw Error(ErrorCode::Usage, "a shader source ends inside #if", "Add the missing #endif.", path);
+    }
+
+    void addLine(const std::string& line, SourceLine origin) {
+        m_body += line + '\n';
+        m_lines.push_back(std::move(origin));
     }
 
     static std::string includePath(const std::string& rest, const std::string& where) {
@@ -179,25 +184,16 @@ private:
         throw Error(error.code(), error.message(), error.hint(), where);
     }
 
-    int idOf(const std::string& path) {
-        const auto found = std::find(m_names.begin(), m_names.end(), path);
-        if (found == m_names.end()) {
-            m_names.push_back(path);
-            return int(m_names.size()) - 1;
-        }
-        return int(found - m_names.begin());
-    }
-
     const ShaderFiles& m_files;
     const ProgramDesc& m_desc;
     Dependencies& m_dependencies;
     std::string m_body;
-    std::vector<std::string> m_names;
+    std::vector<SourceLine> m_lines;  // of m_body
     std::vector<std::string> m_extensions;
-    std::vector<std::string> m_stack;       // files being included, outermost first
-    std::vector<std::string> m_conditions;  // lines of the #if that are open, one text per level
-    std::set<std::string> m_always;         // included outside every #if
-    std::set<std::string> m_sometimes;      // included behind a guard
+    std::vector<std::string> m_stack;             // files being included, outermost first
+    std::vector<std::string> m_conditions;        // lines of the #if that are open, one text per level
+    std::set<std::string> m_always;               // included outside every #if
+    std::map<std::string, std::size_t> m_guards;  // number of the guard of files that were included inside an #if
     int m_guardDepth = 0;
 };
 
@@ -216,16 +212,16 @@ bool takeChar(const std::string& text, std::size_t& position, char c) {
     return true;
 }
 
-std::string mapLogLine(const std::string& line, const std::vector<std::string>& files) {
+std::string mapLogLine(const std::string& line, const std::vector<SourceLine>& lines) {
     std::string prefix;
     std::size_t position = 0;
     for (const char* word : {"ERROR: ", "WARNING: "})
         if (line.rfind(word, 0) == 0) prefix = word;
     position = prefix.size();
 
-    // "ID:LINE" with an optional "(COLUMN)", or "ID(LINE)".
-    std::size_t id = 0, number = 0, column = 0;
-    if (!takeNumber(line, position, id) || id >= files.size()) return line;
+    // "SOURCE:LINE" with an optional "(COLUMN)", or "SOURCE(LINE)"; there is only one source.
+    std::size_t source = 0, number = 0, column = 0;
+    if (!takeNumber(line, position, source)) return line;
     if (takeChar(line, position, ':')) {
         if (!takeNumber(line, position, number)) return line;
         if (takeChar(line, position, '(') && !(takeNumber(line, position, column) && takeChar(line, position, ')')))
@@ -235,8 +231,9 @@ std::string mapLogLine(const std::string& line, const std::vector<std::string>& 
         return line;
     }
     while (takeChar(line, position, ' ')) continue;
-    if (!takeChar(line, position, ':')) return line;
-    return fmt::format("{}:{}: {}{}", files[id], number, prefix, trim(line.substr(position)));
+    if (!takeChar(line, position, ':') || number == 0 || number > lines.size()) return line;
+    const SourceLine& origin = lines[number - 1];
+    return fmt::format("{}:{}: {}{}", origin.path, origin.line, prefix, trim(line.substr(position)));
 }
 
 }  // namespace
@@ -246,14 +243,14 @@ ExpandedSource expandSource(const ShaderFiles& files, const std::string& path, c
     return Expander(files, desc, dependencies).run(path);
 }
 
-std::string mapLog(const std::string& log, const std::vector<std::string>& files) {
-    std::vector<std::string> lines;
+std::string mapLog(const std::string& log, const std::vector<SourceLine>& lines) {
+    std::vector<std::string> mapped;
     for (const std::string& line : split(log, '\n')) {
-        const std::string text = trim(line);
-        const bool isEnd = text.empty() || text[0] == '\0';
-        if (!isEnd) lines.push_back(mapLogLine(text, files));
+        // Drivers end the log with a zero byte.
+        const std::string text = trim(std::string(line.c_str()));
+        if (!text.empty()) mapped.push_back(mapLogLine(text, lines));
     }
-    return join(lines, "\n");
+    return join(mapped, "\n");
 }
 
 }  // namespace ombrage::gl

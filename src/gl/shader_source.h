@@ -38,10 +38,17 @@ private:
 /// as changed later.
 using Dependencies = std::map<std::string, std::uint64_t>;
 
-/// A stage's text for the driver, and what its "#line N ID" numbers mean.
+/// Where a line of the text that the driver sees comes from.
+struct SourceLine {
+    std::string path;
+    int line = 0;
+};
+
+/// A stage's text for the driver, and the origin of each of its lines. No #line is used: Mesa 22.3 forgets the source
+/// number in about half of its messages, but the line counted from the start of the text is right on every driver.
 struct ExpandedSource {
     std::string text;
-    std::vector<std::string> files;  ///< by ID; 0 is the part in front: version and defines
+    std::vector<SourceLine> lines;
 };
 
 /// Resolves the includes of `path`, puts "#version 450 core", the defines and the #extension lines in front.
@@ -52,6 +59,6 @@ ExpandedSource expandSource(const ShaderFiles& files, const std::string& path, c
 
 /// A driver's log with "path:line" in the place of the numbers that Mesa ("0:12(5): error"), NVIDIA ("0(12) : error")
 /// and others ("ERROR: 0:12: ") write.
-std::string mapLog(const std::string& log, const std::vector<std::string>& files);
+std::string mapLog(const std::string& log, const std::vector<SourceLine>& lines);
 
 }  // namespace ombrage::gl

@@ -33,7 +33,7 @@ bool FrameContext::wants(const std::string& name) const {
 }
 
 void FrameContext::expose(const std::string& name, const gl::Texture& texture, ShowAs how, int layer) {
-    recorder->shown[name + recorder->suffix] = showTexture(texture, how, view.near_m, layer);
+    recorder->shown[name + recorder->suffix] = showTexture(texture, how, layer);
 }
 
 void FrameContext::warn(const std::string& message) {

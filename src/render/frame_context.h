@@ -45,7 +45,7 @@ enum class ShowAs {
     Value,        ///< red channel as grey
     Color,        ///< RGB, linear
     Depth01,      ///< depth in [0,1], stretched between the smallest and largest value below 1
-    ReversedDepth,///< reversed-Z depth, shown as near/(depth) stretched
+    LightDepth,   ///< reversed depth of a light view: near is bright, nothing is black
     Count,        ///< unsigned count from a red integer texture, stretched
     Stencil       ///< the stencil plane of a depth-stencil texture, counted about 0 (255 is -1)
 };

@@ -96,7 +96,7 @@ Image stretched(const Image& values, float leaveOut) {
     return result;
 }
 
-ShownImage showTexture(const gl::Texture& texture, ShowAs how, float near_m, int layer) {
+ShownImage showTexture(const gl::Texture& texture, ShowAs how, int layer) {
     ShownImage shown;
     switch (how) {
         case ShowAs::Value:
@@ -109,13 +109,12 @@ ShownImage showTexture(const gl::Texture& texture, ShowAs how, float near_m, int
             shown.raw = readDepth(texture, layer);
             shown.display = stretched(shown.raw, 1.0f);
             break;
-        case ShowAs::ReversedDepth: {
+        case ShowAs::LightDepth:
             shown.raw = readDepth(texture, layer);
-            Image distance = shown.raw;
-            for (float& v : distance.plane(0)) v = v > 0 ? near_m / v : std::numeric_limits<float>::infinity();
-            shown.display = stretched(distance, std::numeric_limits<float>::infinity());
+            shown.display = stretched(shown.raw, 0.0f);
+            for (std::size_t i = 0; i < shown.raw.pixelCount(); ++i)
+                if (shown.raw.plane(0)[i] == 0.0f) shown.display.plane(0)[i] = 0.0f;
             break;
-        }
         case ShowAs::Count: {
             if (isIntegerFormat(texture.desc().format)) {
                 const int width = texture.width(), height = texture.height();

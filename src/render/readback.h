@@ -30,7 +30,7 @@ void uploadPlane(gl::Texture& texture, std::span<const float> plane);
 struct ShownImage {
     Image raw, display;
 };
-ShownImage showTexture(const gl::Texture& texture, ShowAs how, float near_m, int layer = 0);
+ShownImage showTexture(const gl::Texture& texture, ShowAs how, int layer = 0);
 
 /// A copy stretched so that the smallest and largest finite value other than `leaveOut` become 0 and 1; the rest is 1.
 Image stretched(const Image& values, float leaveOut);

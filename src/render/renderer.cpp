@@ -180,7 +180,7 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
         return ShownImage{first, first};
     });
     offer("ao", [&] { return ShownImage{*result.ao, *result.ao}; });
-    offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color, 0); });
+    offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color); });
     for (const PassInfo& view : standardGBufferViews())
         offer(view.name, [&] { return showGBuffer(view.name, *gbuffer, frame.view, gpuScene->origin()); });
     for (auto& [name, image] : shown) {

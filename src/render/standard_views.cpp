@@ -96,7 +96,7 @@ ShownImage showGBuffer(const std::string& name, const GBuffer& gbuffer, const Ca
     if (name == "normal") return normals(gbuffer, true);
     if (name == "geometric-normal") return normals(gbuffer, false);
     if (name == "position") return positions(gbuffer, view, origin);
-    if (name == "albedo") return showTexture(gbuffer.albedo, ShowAs::Color, 0);
+    if (name == "albedo") return showTexture(gbuffer.albedo, ShowAs::Color);
     if (name == "material") {
         const Image raw = readColor(gbuffer.material, {"R", "G", "B"}, ColorSpace::Data);
         return {raw, raw};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Holes of alpha-tested surfaces: nearest texel of level 0, repeated, the same rule as the ray-traced truth's.
-#include "instances.glsl"
+#include "ombrage/instances.glsl"
 
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D t_baseColor;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #ifdef ALPHA_MASK
-#include "alpha.glsl"
+#include "ombrage/alpha.glsl"
 
 in vec2 v_uv;
 flat in uint v_instance;

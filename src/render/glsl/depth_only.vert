@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Depth of the scene from any view. ALPHA_MASK also passes what the alpha test needs.
-#include "vertex.glsl"
+#include "ombrage/vertex.glsl"
 
-uniform mat4 u_clipFromWorld;
+uniform mat4 u_clipFromWorld[1];
 
 #ifdef ALPHA_MASK
 layout(location = 3) in vec2 a_uv;
@@ -12,7 +12,7 @@ flat out uint v_instance;
 
 void main() {
     vec3 p_world = positionWorld(a_instance, a_position);
-    gl_Position = clipFromPosition(u_clipFromWorld, vec4(p_world, 1.0));
+    gl_Position = clipFromPosition(u_clipFromWorld[0], vec4(p_world, 1.0));
 #ifdef ALPHA_MASK
     v_uv = a_uv;
     v_instance = a_instance;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The camera. "World" in shaders is the scene's world moved by its floating origin.
-#include "bindings.glsl"
+#include "ombrage/bindings.glsl"
 
 layout(std140, binding = FRAME_BINDING) uniform Frame {
     mat4 viewFromWorld;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // NORMALS: 0 interpolated, 1 bump-mapped (height maps), 2 tangent-space normal maps (height maps where there is none).
-#include "frame.glsl"
-#include "octahedral.glsl"
-#include "alpha.glsl"
+#include "ombrage/frame.glsl"
+#include "ombrage/octahedral.glsl"
+#include "ombrage/alpha.glsl"
 
 layout(std430, binding = TRIANGLE_NORMAL_STORAGE) readonly buffer TriangleNormals { uint b_triangleNormals[]; };
 layout(binding = UNIT_NORMAL_MAP) uniform sampler2D t_normalMap;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Reads the G-buffer in a full-screen pass or a compute shader. Pixels count from the lower left.
-#include "bindings.glsl"
-#include "octahedral.glsl"
+#include "ombrage/bindings.glsl"
+#include "ombrage/octahedral.glsl"
 
 layout(binding = UNIT_DEPTH) uniform sampler2D t_depth;
 layout(binding = UNIT_NORMALS) uniform sampler2D t_normals;

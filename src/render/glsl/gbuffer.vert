@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "vertex.glsl"
+#include "ombrage/vertex.glsl"
 
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_tangent;

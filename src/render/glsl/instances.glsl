@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Instances and materials of the scene (render/gpu_scene.cpp packs them).
-#include "bindings.glsl"
+#include "ombrage/bindings.glsl"
 
 struct InstanceData {
     mat4 worldFromLocal;

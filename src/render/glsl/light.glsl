@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One light and its unshadowed irradiance.
-#include "bindings.glsl"
+#include "ombrage/bindings.glsl"
 
 #define LIGHT_SUN 0
 #define LIGHT_SPOT 1

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Composes one light, and with FIRST_LIGHT also the ambient and emitted light and the sky.
 // SHADING: 0 Phong, 1 Blinn-Phong, 2 metallic-roughness. AMBIENT: 0 constant, 1 times occlusion, 2 off.
-#include "frame.glsl"
-#include "gbuffer.glsl"
-#include "instances.glsl"
-#include "light.glsl"
+#include "ombrage/frame.glsl"
+#include "ombrage/gbuffer.glsl"
+#include "ombrage/instances.glsl"
+#include "ombrage/light.glsl"
 
 layout(binding = 5) uniform sampler2D t_visibility;
 layout(binding = 6) uniform sampler2D t_ao;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The naive ways of composing. ACCUMULATE: adds or multiplies one light's share of shadow; else: applies the factor.
-#include "gbuffer.glsl"
+#include "ombrage/gbuffer.glsl"
 
 layout(binding = 5) uniform sampler2D t_visibility;
 layout(binding = 6) uniform sampler2D t_color;

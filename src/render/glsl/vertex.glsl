@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The one way from a vertex to the screen: every pass that must meet another's depth calls positionWorld() and
 // clipFromPosition(), so that equal inputs give equal bits.
-#include "frame.glsl"
-#include "instances.glsl"
+#include "ombrage/frame.glsl"
+#include "ombrage/instances.glsl"
 
 layout(location = 0) in vec3 a_position;
 layout(location = 4) in uint a_instance;   // per draw, through baseInstance

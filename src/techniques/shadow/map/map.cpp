@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+// shadow/map: depth seen from the light (Williams 1978), with the whole family of biases. Everything but its GLSL and manual page.
+#include "render/frame_context.h"
+#include "render/technique.h"
+#include "techniques/shared/depth_pass.h"
+#include "techniques/shared/light_views.h"
+
+namespace ombrage {
+namespace {
+
+enum class BiasMode { Constant, Slope, NormalOffset, ReceiverPlane, Adaptive, Oriented, SecondDepth };
+enum class CullMode { None, Front, Back };
+
+}  // namespace
+
+template <>
+struct EnumChoices<BiasMode> {
+    static std::vector<std::string> names() {
+        return {"constant", "slope", "normal-offset", "receiver-plane", "adaptive", "oriented", "second-depth"};
+    }
+};
+template <>
+struct EnumChoices<CullMode> {
+    static std::vector<std::string> names() { return {"none", "front", "back"}; }
+};
+template <>
+struct EnumChoices<LightFit> {
+    static std::vector<std::string> names() { return {"scene", "view"}; }
+};
+
+namespace {
+
+struct MapParams {
+    int resolution = 1024;
+    BiasMode bias = BiasMode::Adaptive;
+    float constantBias_texels = 0.5f;
+    float slopeBias_texels = 0.75f;
+    float normalOffset_texels = 1.0f;
+    float maxSlope = 40.0f;
+    CullMode cull = CullMode::None;
+    LightFit fit = LightFit::Scene;
+    bool cache = true;
+
+    static ParamTable describe() {
+        using P = MapParams;
+        return fields(
+            field(&P::resolution, "resolution", Unit::Texel)
+                .range(16, 8192, Scale::Log)
+                .tune(256, 4096)
+                .effect(ParamEffect::Resize)
+                .help("Width and height of the map (of each of six for a point light): finer edges for more time and memory."),
+            field(&P::bias, "bias").effect(ParamEffect::Define).help("How a surface is kept from shadowing itself."),
+            field(&P::constantBias_texels, "constant-bias", Unit::Texel)
+                .range(0, 32)
+                .tune(0, 4)
+                .help("Distance towards the light, added in every mode: less acne, wider contact gaps."),
+            field(&P::slopeBias_texels, "slope-bias", Unit::Texel)
+                .range(0, 16)
+                .tune(0, 4)
+                .help("Distance per unit of slope (tangent of the light's angle to the normal), in mode slope."),
+            field(&P::normalOffset_texels, "normal-offset", Unit::Texel)
+                .range(0, 16)
+                .tune(0, 4)
+                .help("Shift along the normal times the sine of the light's angle to it, in mode normal-offset."),
+            field(&P::maxSlope, "max-slope")
+                .range(0, 100)
+                .tune(1, 100)
+                .help("Steepest slope that the biases follow: higher, less acne at grazing light; lower, fewer leaks."),
+            field(&P::cull, "cull").effect(ParamEffect::Host).help("Which faces, seen from the light, stay out of the map."),
+            field(&P::fit, "fit").effect(ParamEffect::Host).help(
+                "What a sun's map covers: all that casts, or the part that can shade what the camera sees (finer, but it "
+                "moves with the camera)."),
+            field(&P::cache, "cache").effect(ParamEffect::Host).help(
+                "Keeps the map while neither the light nor the casters nor the fit changed."));
+    }
+};
+
+class ShadowMap final : public ShadowTechniqueOf<MapParams> {
+public:
+    void prepare(FrameContext&) override { m_drawn.reset(); }
+
+    void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
+        const LightViews views = makeLightViews(frame, light, p().fit);
+        drawDepth(frame, light, views);
+        if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
+        lookUp(frame, views, visibility);
+        m_footprint = views.footprint(p().resolution);
+    }
+
+    TexelFootprint footprint() const override { return m_footprint; }
+    std::uint64_t gpuBytes() const override { return m_map ? gl::byteSize(m_map.desc()) : 0; }
+
+private:
+    void drawDepth(FrameContext& frame, const LightFrame& light, const LightViews& views) {
+        if (p().cache && m_drawn && *m_drawn == views) return;
+        const gl::TextureDesc desc{.kind = gl::TextureKind::Array2D,
+                                   .format = GL_DEPTH_COMPONENT32F,
+                                   .width = p().resolution,
+                                   .height = p().resolution,
+                                   .layers = int(views.views.size())};
+        if (!m_map || m_map.desc() != desc) {
+            m_map = gl::Texture(desc, "shadow map");
+            m_map.setCompare(GL_GEQUAL);
+        }
+        const auto pass = frame.pass("light depth");
+        // Second-depth maps (Wang and Molnar 1994) hold the far sides of closed casters.
+        GLenum cull = p().bias == BiasMode::SecondDepth ? GL_FRONT : GL_NONE;
+        if (p().cull == CullMode::Front) cull = GL_FRONT;
+        if (p().cull == CullMode::Back) cull = GL_BACK;
+        drawLightDepth(frame, light, views, m_map, cull);
+        m_drawn = views;
+    }
+
+    void lookUp(FrameContext& frame, const LightViews& views, const gl::Texture& visibility) {
+        const auto pass = frame.pass("shadow map lookup");
+        const gl::Framebuffer target({{&visibility}}, {}, "shadow/map");
+        target.bind();
+        gl::apply({});
+        const gl::Program& program = frame.fullscreenProgram(*this, "shadow/map/map.frag");
+        views.setUniforms(program);
+        frame.bindGBuffer();
+        m_map.bind(kFirstFreeUnit);
+        frame.drawFullscreen();
+    }
+
+    gl::Texture m_map;
+    std::optional<LightViews> m_drawn;   ///< what the map holds
+    TexelFootprint m_footprint;
+};
+
+}  // namespace
+
+OMBRAGE_TECHNIQUE(shadow, map, ShadowMap,
+                  {.title = "Shadow map",
+                   .summary = "Compares each surface's distance from the light with the depth that the light sees there.",
+                   .papers = {"williams1978", "wang1994seconddepth", "isidoro2006pcf", "holbert2011normaloffset", "dou2014adaptive",
+                              "ffxvi2023"},
+                   .limits = "Edges are as coarse as the map's texels; casters thinner than a texel break up.",
+                   .domain = {.rect = true, .soft = false},
+                   .passes = {{"light-depth", "depth seen from the light (the first of six views for a point light)"}}})
+
+}  // namespace ombrage

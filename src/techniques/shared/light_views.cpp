@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shared/light_views.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ombrage {
+
+namespace {
+
+struct Box {
+    glm::vec3 lower{INFINITY}, upper{-INFINITY};
+    void add(const glm::vec3& p) {
+        lower = glm::min(lower, p);
+        upper = glm::max(upper, p);
+    }
+    bool empty() const { return !(lower.x <= upper.x); }
+};
+
+/// Whether the instance is flat and everything else lies on the side from which the light comes.
+bool castsOnNothing(const FlatScene& flat, const FlatInstance& instance, const glm::vec3& toLight) {
+    // The plane of the first triangle with an area.
+    glm::vec3 normal(0.0f), point(0.0f);
+    for (std::uint32_t t = 0; t < instance.triangleCount && normal == glm::vec3(0.0f); ++t) {
+        const glm::uvec3 v = flat.triangles[instance.firstTriangle + t];
+        point = flat.positions[v.x];
+        normal = glm::cross(flat.positions[v.y] - point, flat.positions[v.z] - point);
+    }
+    if (normal == glm::vec3(0.0f)) return true;
+    normal = glm::normalize(normal);
+    if (glm::dot(normal, toLight) < 0) normal = -normal;
+
+    // Flat to within rounding of the coordinates; others may touch the plane but not pass it.
+    float extent = 0;
+    for (std::uint32_t v = 0; v < instance.vertexCount; ++v)
+        extent = std::max(extent, glm::length(flat.positions[instance.firstVertex + v] - point));
+    const float tolerance = 1e-5f * extent;
+    for (std::uint32_t v = 0; v < instance.vertexCount; ++v)
+        if (std::abs(glm::dot(flat.positions[instance.firstVertex + v] - point, normal)) > tolerance) return false;
+    return std::all_of(flat.positions.begin(), flat.positions.end(),
+                       [&](const glm::vec3& p) { return glm::dot(p - point, normal) >= -tolerance; });
+}
+
+/// The corners of what the camera sees of the scene's bounds: the frustum cut off at the farthest corner of the bounds.
+std::array<glm::vec3, 8> visibleCorners(const FrameContext& frame) {
+    const CameraView& view = frame.view;
+    const glm::vec3 lower(frame.gpuScene->bounds().lower - frame.gpuScene->origin());
+    const glm::vec3 upper(frame.gpuScene->bounds().upper - frame.gpuScene->origin());
+    float farthest = 0;
+    for (int c = 0; c < 8; ++c) {
+        const glm::vec3 corner(c & 1 ? upper.x : lower.x, c & 2 ? upper.y : lower.y, c & 4 ? upper.z : lower.z);
+        farthest = std::max(farthest, glm::dot(corner - view.eye, view.forward));
+    }
+    const float aspect = float(view.width) / float(view.height);
+    std::array<glm::vec3, 8> corners;
+    for (int c = 0; c < 8; ++c) {
+        const float distance_m = c & 4 ? farthest : 0.0f;
+        const float half = view.orthographic ? view.orthoHeight_m * 0.5f : distance_m * view.tanHalfFovY;
+        corners[std::size_t(c)] = view.eye + view.forward * distance_m + view.up * (c & 2 ? half : -half) +
+                                  view.right * ((c & 1 ? half : -half) * aspect);
+    }
+    return corners;
+}
+
+LightView sunView(const FrameContext& frame, const LightFrame& light, LightFit fit) {
+    LightView view;
+    view.forward = light.direction;
+    view.right = lightTangent(*light.light);
+    view.up = glm::cross(view.right, view.forward);
+    const auto toLightSpace = [&](const glm::vec3& p) {
+        return glm::vec3(glm::dot(p, view.right), glm::dot(p, view.up), glm::dot(p, view.forward));
+    };
+
+    // Extent of the casters that matter, depth range of everything.
+    const FlatScene& flat = frame.gpuScene->flat();
+    Box casters, all;
+    for (const FlatInstance& instance : flat.instances) {
+        const bool matters = instance.casts && !castsOnNothing(flat, instance, -light.direction);
+        for (std::uint32_t v = 0; v < instance.vertexCount; ++v) {
+            const glm::vec3 p = toLightSpace(flat.positions[instance.firstVertex + v]);
+            all.add(p);
+            if (matters) casters.add(p);
+        }
+    }
+    if (casters.empty()) casters = all;
+    if (fit == LightFit::View) {
+        Box seen;
+        for (const glm::vec3& corner : visibleCorners(frame)) seen.add(toLightSpace(corner));
+        const glm::vec3 lower = glm::max(casters.lower, seen.lower), upper = glm::min(casters.upper, seen.upper);
+        if (lower.x < upper.x && lower.y < upper.y) {
+            casters.lower = glm::vec3(lower.x, lower.y, casters.lower.z);
+            casters.upper = glm::vec3(upper.x, upper.y, casters.upper.z);
+        }
+    }
+
+    // A border of one part in a thousand keeps the outermost silhouettes off the map's edge.
+    const glm::vec3 center = (casters.lower + casters.upper) * 0.5f;
+    const glm::vec2 half = glm::vec2(casters.upper - casters.lower) * 0.5f;
+    const float smallest = 1e-4f * std::max(glm::length(half), 1e-3f);
+    view.halfExtent = glm::max(half * 1.002f, glm::vec2(smallest));
+    const float depth = std::max(all.upper.z - all.lower.z, smallest);
+    const float nearest = all.lower.z - 1e-3f * depth;
+    view.origin = view.right * center.x + view.up * center.y + view.forward * nearest;
+    view.near_m = 0.0f;
+    view.far_m = depth * 1.002f;
+    return view;
+}
+
+/// Half the distance to the nearest caster's bounds, or a small part of their size when the light is among them.
+float nearPlane(const FrameContext& frame, const glm::vec3& position) {
+    const glm::vec3 lower = frame.gpuScene->casterLower(), upper = frame.gpuScene->casterUpper();
+    const float distance_m = glm::length(position - glm::clamp(position, lower, upper));
+    return std::max(distance_m * 0.5f, 1e-4f * glm::length(upper - lower));
+}
+
+}  // namespace
+
+LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit) {
+    constexpr float kWidestSpot_rad = 1.308997f;  // 75 degrees: beyond it one picture wastes its texels on the rim
+    LightViews made;
+    if (light.light->type == LightType::Sun) {
+        made.views.push_back(sunView(frame, light, fit));
+        return made;
+    }
+    made.perspective = true;
+    LightView view;
+    view.origin = light.position;
+    view.near_m = nearPlane(frame, light.position);
+    if (light.light->type == LightType::Spot && light.light->outer_rad <= kWidestSpot_rad) {
+        view.forward = light.direction;
+        view.right = lightTangent(*light.light);
+        view.up = glm::cross(view.right, view.forward);
+        // A texel's breadth beyond the cone, so that its rim is inside whatever the resolution.
+        view.halfExtent = glm::vec2(std::tan(light.light->outer_rad) * 1.01f);
+        made.views.push_back(view);
+        return made;
+    }
+    const glm::vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (int face = 0; face < 6; ++face) {
+        view.forward = axes[face / 2] * (face % 2 == 0 ? 1.0f : -1.0f);
+        view.right = axes[(face / 2 + 1) % 3];
+        view.up = glm::cross(view.right, view.forward);
+        view.halfExtent = glm::vec2(1.0f);
+        made.views.push_back(view);
+    }
+    return made;
+}
+
+glm::mat4 LightViews::clipFromWorld(std::size_t index) const {
+    const LightView& v = views[index];
+    // Rows of the affine part: light-space coordinates of a point.
+    const glm::vec4 x(v.right, -glm::dot(v.right, v.origin));
+    const glm::vec4 y(v.up, -glm::dot(v.up, v.origin));
+    const glm::vec4 d(v.forward, -glm::dot(v.forward, v.origin));
+    const glm::vec4 unit(0, 0, 0, 1);
+    const glm::vec4 rows[4] = {x / v.halfExtent.x, y / v.halfExtent.y,
+                               perspective ? unit * v.near_m : (unit * v.far_m - d) / (v.far_m - v.near_m),
+                               perspective ? d : unit};
+    glm::mat4 m;
+    for (int r = 0; r < 4; ++r)
+        for (int c = 0; c < 4; ++c) m[c][r] = rows[r][c];
+    return m;
+}
+
+TexelFootprint LightViews::footprint(int resolution) const {
+    float widest = 0;
+    for (const LightView& v : views) widest = std::max({widest, v.halfExtent.x, v.halfExtent.y});
+    const double texel = 2.0 * double(widest) / resolution;
+    return perspective ? TexelFootprint{0, texel, 0.5} : TexelFootprint{texel, 0, 0.5};
+}
+
+void LightViews::setUniforms(const gl::Program& program) const {
+    glm::vec4 origin[6], right[6], up[6], forward[6];
+    const int count = int(views.size());
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const LightView& v = views[i];
+        origin[i] = glm::vec4(v.origin, v.far_m);
+        right[i] = glm::vec4(v.right, v.halfExtent.x);
+        up[i] = glm::vec4(v.up, v.halfExtent.y);
+        forward[i] = glm::vec4(v.forward, v.near_m);
+    }
+    program.set("u_viewOrigin", origin, count);
+    program.set("u_viewRight", right, count);
+    program.set("u_viewUp", up, count);
+    program.set("u_viewForward", forward, count);
+    program.set("u_viewCount", count);
+    program.set("u_viewPerspective", perspective ? 1 : 0);
+}
+
+}  // namespace ombrage

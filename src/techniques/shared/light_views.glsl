@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The views of one light: techniques/shared/light_views.h.
+uniform vec4 u_viewOrigin[6];    // xyz, w far
+uniform vec4 u_viewRight[6];     // xyz, w half extent
+uniform vec4 u_viewUp[6];        // xyz, w half extent
+uniform vec4 u_viewForward[6];   // xyz, w near
+uniform int u_viewCount;
+uniform int u_viewPerspective;
+
+// Which of the views sees a point: the only one, or the cube face of its largest coordinate (+x -x +y -y +z -z).
+int lightViewOf(vec3 p_world) {
+    if (u_viewCount == 1) return 0;
+    vec3 d = p_world - u_viewOrigin[0].xyz;
+    vec3 a = abs(d);
+    if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0 : 1;
+    if (a.y >= a.z) return d.y >= 0.0 ? 2 : 3;
+    return d.z >= 0.0 ? 4 : 5;
+}
+
+// Coordinates in the map, [0,1] inside, and the distance along the view's axis.
+vec2 lightViewUv(int view, vec3 p_world, out float distance_m) {
+    vec3 d = p_world - u_viewOrigin[view].xyz;
+    distance_m = dot(d, u_viewForward[view].xyz);
+    vec2 xy = vec2(dot(d, u_viewRight[view].xyz), dot(d, u_viewUp[view].xyz)) / vec2(u_viewRight[view].w, u_viewUp[view].w);
+    if (u_viewPerspective != 0) xy /= distance_m;
+    return xy * 0.5 + 0.5;
+}
+
+// Distance along the axis at which the ray of the map's point `uv` meets the plane through p with normal n, or
+// `otherwise` when it runs along the plane.
+float lightViewPlaneDistance(int view, vec2 uv, vec3 p_world, vec3 n_world, float otherwise) {
+    vec2 xy = (uv * 2.0 - 1.0) * vec2(u_viewRight[view].w, u_viewUp[view].w);
+    vec3 lateral = u_viewRight[view].xyz * xy.x + u_viewUp[view].xyz * xy.y;
+    vec3 start = u_viewOrigin[view].xyz;
+    vec3 direction = u_viewForward[view].xyz;
+    if (u_viewPerspective != 0) direction += lateral; else start += lateral;
+    float slope = dot(n_world, direction);
+    if (abs(slope) < 1e-6) return otherwise;
+    return dot(n_world, p_world - start) / slope;
+}
+
+// World size of a texel, across the light's rays.
+float lightViewTexel(int view, float distance_m, float resolution) {
+    float texel = 2.0 * max(u_viewRight[view].w, u_viewUp[view].w) / resolution;
+    return u_viewPerspective != 0 ? texel * distance_m : texel;
+}
+
+// What the map holds at a distance along the axis.
+float lightViewDepth(int view, float distance_m) {
+    float near_m = u_viewForward[view].w, far_m = u_viewOrigin[view].w;
+    if (u_viewPerspective != 0) return distance_m > near_m ? near_m / distance_m : 1.0;
+    return (far_m - distance_m) / (far_m - near_m);
+}
+
+// Smallest difference of distances that the map can tell at a distance: a few units in the last place of its float depth.
+float lightViewPrecision(int view, float distance_m) {
+    float range = u_viewPerspective != 0 ? distance_m : u_viewOrigin[view].w - u_viewForward[view].w;
+    return range * 4e-7;
+}
