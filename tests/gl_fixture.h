@@ -23,9 +23,7 @@ protected:
         return *shared;
     }
 
-    void SetUp() override {
-        context().takeDebugMessages();
-    }
+    void SetUp() override { context().takeDebugMessages(); }
 
     void TearDown() override {
         context().makeCurrent();

@@ -70,11 +70,20 @@ TEST_F(ObjectsTest, MovesLeaveOneOwner) {
 }
 
 TEST_F(ObjectsTest, HalfFloatsComeBackExactly) {
-    // Half floats hold the integers up to 2048 exactly. An odd width of 2-byte texels needs pixel alignment 1.
+    // Half floats hold the integers up to 2048 exactly.
     Texture texture({TextureKind::Tex2D, GL_R16F, 5, 3}, "half");
     const auto values = counting<float>(15);
     texture.upload(0, GL_RED, GL_FLOAT, values.data());
     EXPECT_EQ(downloadLayer<float>(texture, 0, 0, GL_RED, GL_FLOAT, 15), values);
+}
+
+TEST_F(ObjectsTest, RowsArePackedTightly) {
+    // Five bytes a row: any pixel alignment but 1 shifts the second row.
+    Texture texture({TextureKind::Tex2D, GL_R8, 5, 3}, "bytes");
+    const auto values = counting<std::uint8_t>(15);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 9);
+    texture.upload(0, GL_RED, GL_UNSIGNED_BYTE, values.data());
+    EXPECT_EQ(downloadLayer<std::uint8_t>(texture, 0, 0, GL_RED, GL_UNSIGNED_BYTE, 15), values);
 }
 
 TEST_F(ObjectsTest, SixteenBitColoursComeBackExactly) {

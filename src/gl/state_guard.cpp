@@ -285,7 +285,8 @@ struct StateGuard::Saved {
                    read = GLuint(integer(GL_READ_FRAMEBUFFER_BINDING)),
                    array = GLuint(integer(GL_VERTEX_ARRAY_BINDING)),
                    element = GLuint(integer(GL_ELEMENT_ARRAY_BUFFER_BINDING))] {
-            glUseProgram(program);
+            // A program deleted while in use ends when it is no longer current.
+            glUseProgram(glIsProgram(program) ? program : 0);
             glBindFramebuffer(GL_DRAW_FRAMEBUFFER, draw);
             glBindFramebuffer(GL_READ_FRAMEBUFFER, read);
             glBindVertexArray(array);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <type_traits>
+#include <unordered_map>
+#include <utility>
 
 namespace ombrage {
 
@@ -144,6 +147,52 @@ std::size_t dropBadTriangles(Mesh& mesh) {
     }
     mesh.indices.resize(3 * kept);
     return count - kept;
+}
+
+void joinVertices(Mesh& mesh) {
+    // The bits of all attributes of a vertex, in one fixed record (missing attributes are zero).
+    using Record = std::array<std::uint32_t, 12>;
+    const auto recordOf = [&](std::uint32_t v) {
+        std::array<float, 12> values{};
+        for (int i = 0; i < 3; ++i) values[std::size_t(i)] = mesh.positions[v][i];
+        for (int i = 0; i < 3 && !mesh.normals.empty(); ++i) values[std::size_t(3 + i)] = mesh.normals[v][i];
+        for (int i = 0; i < 4 && !mesh.tangents.empty(); ++i) values[std::size_t(6 + i)] = mesh.tangents[v][i];
+        for (int i = 0; i < 2 && !mesh.uvs.empty(); ++i) values[std::size_t(10 + i)] = mesh.uvs[v][i];
+        Record record;
+        std::memcpy(record.data(), values.data(), sizeof record);
+        return record;
+    };
+    struct Hash {
+        std::size_t operator()(const Record& record) const {
+            std::uint64_t h = 0xcbf29ce484222325ull;
+            for (const std::uint32_t word : record) h = (h ^ word) * 0x9e3779b97f4a7c15ull, h ^= h >> 29;
+            return std::size_t(h);
+        }
+    };
+    std::unordered_map<Record, std::uint32_t, Hash> numbers;
+    numbers.reserve(mesh.positions.size());
+    std::vector<std::uint32_t> kept;
+    constexpr std::uint32_t kUnseen = 0xffffffffu;
+    std::vector<std::uint32_t> newIndex(mesh.positions.size(), kUnseen);
+    for (std::uint32_t& index : mesh.indices) {
+        if (newIndex[index] == kUnseen) {
+            const auto [found, isNew] = numbers.try_emplace(recordOf(index), std::uint32_t(kept.size()));
+            if (isNew) kept.push_back(index);
+            newIndex[index] = found->second;
+        }
+        index = newIndex[index];
+    }
+    const auto gather = [&](auto& values) {
+        if (values.empty()) return;
+        std::remove_reference_t<decltype(values)> result;
+        result.reserve(kept.size());
+        for (const std::uint32_t v : kept) result.push_back(values[v]);
+        values = std::move(result);
+    };
+    gather(mesh.positions);
+    gather(mesh.normals);
+    gather(mesh.tangents);
+    gather(mesh.uvs);
 }
 
 void completeNormals(Mesh& mesh) {

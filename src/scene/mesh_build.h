@@ -14,6 +14,9 @@ inline constexpr double kCreaseAngle_deg = 80.0;
 /// Removes triangles with a non-finite corner, an index out of range or no area. Vertices stay. Returns how many went.
 std::size_t dropBadTriangles(Mesh& mesh);
 
+/// Makes vertices with equal bits one, in order of first use, and drops those that no triangle uses.
+void joinVertices(Mesh& mesh);
+
 /// Gives every vertex without a usable normal (arrays missing, zero or non-finite) a smooth one: the mean of the faces
 /// that meet at its position within the crease angle, weighted by their angle there (Thuermer and Wuethrich 1998).
 /// Vertices at one position count as one; a vertex whose corners need different normals is split. The rest become unit

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <ombrage/reference.h>
+#include <ombrage/renderer.h>
+
+namespace ombrage::test {
+
+/// A technique's NAME.tests.json, checked for unknown keys.
+nlohmann::json technicalSheet(const TechniqueInfo& info);
+
+/// One scene with its truth, kept for the whole test program.
+class Bench {
+public:
+    explicit Bench(const std::string& sceneName);
+
+    const Scene& scene() const { return m_scene; }
+    const ShadowTruth& shadow(const std::string& camera, const std::string& light, int samples);
+    const AoTruth& ao(const std::string& camera, int samples);
+    const Receivers& receivers(const std::string& camera);
+
+    static Bench& of(const std::string& sceneName);
+
+private:
+    Scene m_scene;
+    Reference m_reference;
+    std::map<std::string, Receivers> m_receivers;
+    std::map<std::string, ShadowTruth> m_shadow;
+    std::map<std::string, AoTruth> m_ao;
+};
+
+/// The one renderer of the program, with a debug context, set to the scene.
+RenderResult renderScene(const Scene& scene, const RenderSettings& settings);
+
+/// The measured image of a family: visibility of the light asked for, or ambient visibility.
+std::vector<float> measuredPlane(const RenderResult& result, Family family);
+
+inline constexpr int kWidth = 640, kHeight = 360;
+
+}  // namespace ombrage::test
