@@ -16,7 +16,7 @@ struct BlocksParams {
     Distribution kernel = Distribution::Cosine;
     Rotation rotation = Rotation::Gradient;
     float radius_m = 0.0f;
-    float intensity = 3.0f;
+    float intensity = 7.0f;
     float angle_rad = 1.2217305f;  // 70 degrees
     float bias_m = 0.0f;
 

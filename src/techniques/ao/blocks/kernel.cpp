@@ -25,7 +25,8 @@ struct Radius {
 Radius diskRadius(Distribution distribution, double u) {
     switch (distribution) {
         case Distribution::Cosine:
-            return {1 - std::sqrt(1 - u), 1};
+            // The integral of 4 rho ln(1 / rho), what the ball's points leave on its base.
+            return {invert([](double x) { return x > 0 ? x * x * (1 - 2 * std::log(x)) : 0.0; }, u), 1};
         case Distribution::Importance: {
             // Area density (2/pi)(1 - rho^2), the falloff on a flat neighbourhood, against 1/pi of the even one.
             const double rho2 = 1 - std::sqrt(1 - u);
@@ -40,7 +41,7 @@ Radius diskRadius(Distribution distribution, double u) {
 Radius ballRadius(Distribution distribution, double u) {
     switch (distribution) {
         case Distribution::Cosine:
-            return {u, 1};
+            return {std::sqrt(u), 1};
         case Distribution::Importance: {
             // Density 3 t^2 (2 - t^2) 5/7 against 3 t^2: the surface found may be nearer than the point asked for, so
             // the density keeps away from 0 (defensive mixture, Owen and Zhou 2000).

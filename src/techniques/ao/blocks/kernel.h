@@ -18,8 +18,8 @@ enum class Distribution { Uniform, Cosine, Importance };
 /// over the distribution.
 ///
 /// - uniform: even in the disk's area, or in the half ball's volume;
-/// - cosine: directions cosine-weighted and lengths even, or the shadow of such points on the disk, so density grows
-///   towards the receiver as (1 - rho) / rho;
+/// - cosine: directions cosine-weighted and lengths t with density 2 t, or the shadow of such points on the disk, so
+///   that density grows towards the receiver as ln(1 / rho);
 /// - importance: the integral of `uniform`, with points put where the estimator's weights are large and divided by
 ///   their density (on the half ball by a mixture whose weights stay below 2.1).
 std::vector<glm::vec4> makeKernel(Offsets offsets, Distribution distribution, int count);

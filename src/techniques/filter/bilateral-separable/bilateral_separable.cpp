@@ -9,8 +9,8 @@ namespace ombrage {
 namespace {
 
 struct BilateralParams {
-    int radius_px = 6;
-    float sigma_px = 3.0f;
+    int radius_px = 4;
+    float sigma_px = 2.0f;
     float planeTolerance_px = 1.0f;
     float normalPower = 16.0f;
 
