@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include <ombrage/renderer.h>
 #include <ombrage/scene.h>
@@ -29,8 +29,8 @@ inline Scene emptyScene(int size_px) {
     return scene;
 }
 
-/// Adds a quad, counter-clockwise seen from its front, that emits a grey and reflects nothing.
-inline void addQuad(Scene& scene, const std::array<glm::vec3, 4>& corners, float emitted) {
+/// Adds a quad of four corners, counter-clockwise seen from its front, that emits a grey and reflects nothing.
+inline void addQuad(Scene& scene, const std::vector<glm::vec3>& corners, float emitted) {
     const int index = int(scene.meshes.size());
     Material material;
     material.baseColor = material.specular = glm::vec3(0);
@@ -39,7 +39,7 @@ inline void addQuad(Scene& scene, const std::array<glm::vec3, 4>& corners, float
     const glm::vec3 side = glm::normalize(corners[1] - corners[0]);
     const glm::vec3 normal = glm::normalize(glm::cross(side, corners[2] - corners[0]));
     Mesh mesh;
-    mesh.positions.assign(corners.begin(), corners.end());
+    mesh.positions = corners;
     mesh.normals.assign(4, normal);
     mesh.tangents.assign(4, glm::vec4(side, 1));
     mesh.uvs.assign(4, glm::vec2(0));

@@ -97,7 +97,7 @@ OMBRAGE_TECHNIQUE(
     {.title = "Kernel of angle- and distance-weighted depths",
      .summary = "Reads the surfaces found under a kernel of offsets turned from pixel to pixel, and darkens "
                 "by those that rise over the tangent plane within the radius.",
-     .papers = {"mittring2007", "filion2008", "blinn1978bump"},
+     .papers = {"mittring2007", "blinn1978bump", "vogel1979", "jimenez2014noise"},
      .limits = "Sees only what the picture shows: no occluder behind the nearest surface or beyond the "
                "picture's border, and the formula is no visibility, so its scale is fitted."})
 
