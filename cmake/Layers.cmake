@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
-# ombrage_layer(NAME [EXTRA_SOURCES ...] DEPENDS targets...): a static library of src/NAME. Files that end in _test.cpp
+# ombrage_layer(NAME [EXTRA_SOURCES ...] [EXCLUDE files...] DEPENDS targets...): a static library of src/NAME. Files that end in _test.cpp
 # beside the sources belong to the layer's test program (tests/CMakeLists.txt).
-set(OMBRAGE_GPU_LAYERS gl render lab report)
+set(OMBRAGE_GPU_LAYERS gl render lab)
 
 function(ombrage_layer name)
-  cmake_parse_arguments(ARG "" "" "EXTRA_SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "EXTRA_SOURCES;EXCLUDE;DEPENDS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  foreach(file IN LISTS ARG_EXCLUDE)
+    list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/${name}/${file})
+  endforeach()
   set(tests ${sources})
   list(FILTER sources EXCLUDE REGEX "_test\\.cpp$")
   list(FILTER tests INCLUDE REGEX "_test\\.cpp$")

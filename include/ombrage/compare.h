@@ -15,6 +15,11 @@ namespace ombrage {
 /// Progress of long work: a line to show and the share done in [0,1]. Returning false stops it with Error(Interrupted).
 using Report = std::function<bool(const std::string& what, double share)>;
 
+/// The text of `--technique`: as parsePipeline, with the family told from the first id, or from its name where one family
+/// alone has it. A pipeline that starts with a filter is refused: a filter needs something to clean.
+/// @throws Error(Usage) as parsePipeline.
+std::pair<Family, Pipeline> parseTechnique(const std::string& text);
+
 /// "METRIC OP NUMBER" with an optional technique: "shadow/map.wrong>0.01", "rmse>=0.2". Meets a record when it is true.
 struct Gate {
     std::string text;

@@ -39,6 +39,13 @@ float luminance(const glm::vec3& c) {
     return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
 }
 
+const Light& checkedLight(const Scene& scene, int light) {
+    if (light < 0 || std::size_t(light) >= scene.lights.size())
+        throw Error(ErrorCode::Usage, "there is no light " + std::to_string(light),
+                    "The scene has " + std::to_string(scene.lights.size()) + " lights, counted from 0.");
+    return scene.lights[std::size_t(light)];
+}
+
 void resize(ShadowTruth& t, std::size_t count) {
     t.visibility.assign(count, 1.0f);
     t.standardError.assign(count, 0.0f);
@@ -97,10 +104,7 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
     checkReceivers(receivers);
     const Scene& scene = m_impl->scene;
     const FlatScene& flat = m_impl->flat;
-    if (light < 0 || std::size_t(light) >= scene.lights.size())
-        throw Error(ErrorCode::Usage, "there is no light " + std::to_string(light),
-                    "The scene has " + std::to_string(scene.lights.size()) + " lights, counted from 0.");
-    const Light& source = scene.lights[std::size_t(light)];
+    const Light& source = checkedLight(scene, light);
     const LightShape shape(source, flat.origin);
     const std::vector<bool> instances = shadingInstances(flat, source);
     const int samples = shape.hasSize() ? samplesPerScrambling(options.samplesPerPixel, 1024) : 1;
@@ -154,7 +158,7 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
 
 Reference::Estimate Reference::shadowAt(const glm::dvec3& point, const glm::dvec3& normal, int light, int samples,
                                         std::uint64_t seed) const {
-    const Light& source = m_impl->scene.lights.at(std::size_t(light));
+    const Light& source = checkedLight(m_impl->scene, light);
     SurfacePoint p;
     p.position = point - m_impl->flat.origin;
     p.normal = p.shadingNormal = glm::normalize(normal);

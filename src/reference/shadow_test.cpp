@@ -12,15 +12,16 @@ constexpr double kLight_m = 4;                          // height of the light a
 constexpr double kBlocker_m = 1;                        // height of the blocker
 constexpr double kToBlocker_m = kLight_m - kBlocker_m;  // d_b
 
-/// The half-plane x > 0 at the blocker's height.
+/// The half-plane x > 0 at the blocker's height, as far as any ray of these tests goes. Not larger: a position is a
+/// float, and the penumbra of the real sun is 9 mm wide here.
 Scene halfPlane(const Light& light) {
     Scene scene;
-    test::add(scene, test::slab(0, 400, 400, float(kBlocker_m)));
+    test::add(scene, test::slab(0, 2, 1, float(kBlocker_m)));
     scene.lights.push_back(light);
     return scene;
 }
 
-Reference::Estimate shareAt(const Reference& reference, double x, int samples = 2048) {
+Reference::Estimate shareAt(const Reference& reference, double x, int samples = 512) {
     return test::pooled([&](std::uint64_t seed) { return reference.shadowAt({x, 0, 0}, {0, 0, 1}, 0, samples, seed); });
 }
 
@@ -31,7 +32,7 @@ double edgeOnLight(double x) {
 
 /// Light on x < edge is seen. Checks that v is 1 and 0 just outside [-width/2, width/2] and in between just inside.
 void expectPenumbraWidth(const Reference& reference, double width) {
-    // 3 % inside the ends the seen part of a disk is still 0.2 % and more: among 16 x 2048 points some see it.
+    // 3 % inside the ends the seen part of a disk is still 0.2 % and more: among 64 x 512 points some see it.
     EXPECT_EQ(shareAt(reference, -width / 2 * 1.001).mean, 1.0);
     EXPECT_EQ(shareAt(reference, width / 2 * 1.001).mean, 0.0);
     EXPECT_LT(shareAt(reference, -width / 2 * 0.97).mean, 1.0);

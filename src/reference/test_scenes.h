@@ -60,10 +60,10 @@ inline ReferenceOptions picture(int width, int height, int samples = 0) {
     return options;
 }
 
-/// The mean over 16 seeds: its standard error has some 112 degrees of freedom, so 3 of them are exceeded once in 300
+/// The mean over 64 seeds: its standard error has some 450 degrees of freedom, so 3 of them are exceeded once in 360
 /// trials; one run of 8 scramblings alone (7 degrees) would once in 50.
 inline Reference::Estimate pooled(const std::function<Reference::Estimate(std::uint64_t seed)>& estimate) {
-    constexpr int kSeeds = 16;
+    constexpr int kSeeds = 64;
     Reference::Estimate sum;
     for (int seed = 0; seed < kSeeds; ++seed) {
         const auto e = estimate(std::uint64_t(seed));

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include <ombrage/compare.h>
+
+#include "commands.h"
+
+namespace ombrage::cli {
+
+namespace {
+
+int runReport(const Options& options) {
+    const std::string folder = requiredText(options, "dir", "folder with records");
+    printResult(writeReport(folder, options.text("output")).string() + "\n");
+    return 0;
+}
+
+}  // namespace
+
+Command reportCommand() {
+    return {"report",
+            "Makes the report of a folder that compare wrote",
+            {"out", "out -o summary.html"},
+            [](Options& options) {
+                options.add("dir", "a folder with records.jsonl");
+                options.add("-o,--output", "FILE.html (DIR/report.html)");
+            },
+            runReport};
+}
+
+}  // namespace ombrage::cli

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "lab/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "metrics/error_colors.h"
+
+namespace ombrage {
+
+namespace {
+
+void setPixel(Image& image, std::size_t pixel, const float rgb[3]) {
+    for (int c = 0; c < 3; ++c) image.plane(c)[pixel] = rgb[c];
+}
+
+constexpr float kMasked[3] = {kMaskedGrey, kMaskedGrey, kMaskedGrey};
+
+}  // namespace
+
+Image errorPicture(std::span<const float> measured, std::span<const float> truth, const std::vector<Mask>& mask,
+                   int width, int height) {
+    Image image = Image::rgb(width, height, ColorSpace::Srgb);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        float rgb[3];
+        const float error = measured[i] - truth[i];
+        // Not a number is as wrong as can be.
+        errorColor(errorScalePosition(std::isfinite(error) ? error : 1.0f), rgb);
+        setPixel(image, i, mask[i] == Mask::Valid ? rgb : kMasked);
+    }
+    return image;
+}
+
+Image classPicture(const std::vector<ErrorClass>& classes, const std::vector<Mask>& mask, int width, int height) {
+    Image image = Image::rgb(width, height, ColorSpace::Srgb);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i)
+        setPixel(image, i, mask[i] == Mask::Valid ? kErrorClassColors[std::size_t(classes[i])].rgb : kMasked);
+    return image;
+}
+
+Image greyPicture(std::span<const float> values, int width, int height) {
+    Image image = Image::grey(width, height);
+    std::copy(values.begin(), values.end(), image.plane(0).begin());
+    return image;
+}
+
+Image displayed(const Image& linear) {
+    Image image = toSrgb(linear);
+    for (int p = 0; p < image.planeCount(); ++p)
+        for (float& v : image.plane(p)) v = std::isfinite(v) ? std::clamp(v, 0.0f, 1.0f) : 0.0f;
+    return image;
+}
+
+double meanOf(const Image& image) {
+    double sum = 0;
+    for (float v : image.plane(0)) sum += double(v);
+    return image.empty() ? 0.0 : sum / double(image.pixelCount());
+}
+
+std::string fileSlug(const std::string& text) {
+    std::string slug;
+    for (char c : text) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+        const bool capital = c >= 'A' && c <= 'Z';
+        if (plain || capital)
+            slug += capital ? char(c - 'A' + 'a') : c;
+        else if (!slug.empty() && slug.back() != '-')
+            slug += '-';
+    }
+    while (!slug.empty() && slug.back() == '-') slug.pop_back();
+    return slug.empty() ? "unnamed" : slug;
+}
+
+}  // namespace ombrage

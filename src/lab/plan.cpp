@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "lab/plan.h"
+
+#include <ombrage/error.h>
+#include <algorithm>
+
+#include "core/strings.h"
+#include "lab/domain.h"
+
+namespace ombrage {
+
+namespace {
+
+/// The chosen light, or all of them.
+std::vector<int> chosenLights(const Scene& scene, const std::string& name) {
+    if (!name.empty()) return {scene.lightIndex(name)};
+    std::vector<int> lights(scene.lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) lights[i] = int(i);
+    return lights;
+}
+
+bool meantFor(const Scene& scene, const TechniqueSpec& spec) {
+    return scene.techniques.empty() ||
+           std::find(scene.techniques.begin(), scene.techniques.end(), spec.id) != scene.techniques.end();
+}
+
+/// What feeds a filter under `--all filter`.
+Pipeline filterInput() {
+    const std::string baseline = RenderSettings{}.ao.front().id;
+    for (const TechniqueInfo& info : techniques())
+        if (info.family == Family::Ao && info.id != baseline) return {{info.id, {}}};
+    return {{baseline, {}}};
+}
+
+}  // namespace
+
+std::string techniqueText(const Pipeline& pipeline) {
+    std::vector<std::string> ids;
+    for (const TechniqueSpec& spec : pipeline) ids.push_back(spec.id);
+    return join(ids, "+");
+}
+
+std::vector<std::pair<Family, Pipeline>> pipelinesOf(Family family) {
+    std::vector<std::pair<Family, Pipeline>> result;
+    for (const TechniqueInfo& info : techniques()) {
+        if (info.family != family) continue;
+        Pipeline pipeline;
+        if (family == Family::Filter) pipeline = filterInput();
+        pipeline.push_back({info.id, {}});
+        result.emplace_back(family == Family::Filter ? Family::Ao : family, std::move(pipeline));
+    }
+    return result;
+}
+
+ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
+    ScenePlan plan;
+    const std::vector<int> lights = chosenLights(scene, request.base.light);
+    const auto plannedAlready = [&](const Pipeline& pipeline, int light) {
+        return std::any_of(plan.runs.begin(), plan.runs.end(),
+                           [&](const PlannedRun& run) { return run.light == light && run.pipeline == pipeline; });
+    };
+    // One pipeline on one light, or on all of them at once (-1).
+    const auto add = [&](Family family, const Pipeline& pipeline, int light, bool named) {
+        if (light >= 0) {
+            const std::string reason = unsupportedReason(pipeline, scene.lights[std::size_t(light)]);
+            if (!reason.empty() && named)
+                throw Error(ErrorCode::Usage, reason + " of the scene '" + scene.name + "'",
+                            "choose another light with --light or another technique");
+            if (!reason.empty()) {
+                plan.skipped.push_back({scene.name, techniqueText(pipeline), reason});
+                return;
+            }
+        }
+        for (const TechniqueSpec& spec : pipeline)
+            if (named && !meantFor(scene, spec))
+                plan.warnings.push_back("the scene '" + scene.name + "' is not meant for " + spec.id + ", but for " +
+                                        join(scene.techniques, ", "));
+        if (!plannedAlready(pipeline, light)) plan.runs.push_back({family, pipeline, light});
+    };
+    const auto addAll = [&](int light, bool wantShadow) {
+        for (const auto& [family, pipeline] : request.pipelines)
+            if ((family == Family::Shadow) == wantShadow) add(family, pipeline, light, true);
+        for (Family all : request.allOf)
+            for (const auto& [family, pipeline] : pipelinesOf(all))
+                if ((family == Family::Shadow) == wantShadow) add(family, pipeline, light, false);
+    };
+    for (int light : lights) addAll(light, true);
+    addAll(-1, false);
+    // Several lights repeat a scene's warning.
+    std::sort(plan.warnings.begin(), plan.warnings.end());
+    plan.warnings.erase(std::unique(plan.warnings.begin(), plan.warnings.end()), plan.warnings.end());
+    return plan;
+}
+
+}  // namespace ombrage

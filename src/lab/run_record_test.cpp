@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "lab/run_record.h"
+
+#include <gtest/gtest.h>
+#include <ombrage/error.h>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "lab/record_sample.h"
+
+namespace ombrage {
+namespace {
+
+std::filesystem::path freshFile(const char* name) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
+    std::filesystem::remove(file);
+    return file;
+}
+
+std::string content(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+TEST(RunRecord, ReadsBackWhatItWrote) {
+    const RunRecord record = sampleRecord();
+    EXPECT_EQ(RunRecord::fromJson(record.toJson(), "test"), record);
+}
+
+TEST(RunRecord, ReadsBackWithoutLightAndTruth) {
+    RunRecord record = sampleRecord("aa/sample");
+    record.light.clear();
+    record.truth.reset();
+    EXPECT_EQ(RunRecord::fromJson(record.toJson(), "test"), record);
+}
+
+// The keys are the contract of other programs (design section 8).
+TEST(RunRecord, HasTheKeysOfTheSchema) {
+    const auto json = nlohmann::json::parse(sampleRecord().toJson());
+    EXPECT_EQ(json["schema"], "ombrage/record/1");
+    for (const char* key :
+         {"scene", "scene_hash", "camera", "light", "size", "technique", "params", "metrics", "truth", "passes",
+          "gpu_ms", "cpu_ms", "gpu_bytes", "counters", "seed", "version", "device", "images", "warnings"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_EQ(json["size"], nlohmann::json::array({640, 360}));
+    EXPECT_EQ(json["params"]["resolution"], 2048);
+    EXPECT_EQ(json["params"]["tint"], nlohmann::json::array({1, 0.5, 0.25}));
+    EXPECT_TRUE(json["metrics"]["acne"].is_null());
+    EXPECT_EQ(json["gpu_ms"]["clock"], "wall");
+    EXPECT_EQ(json["truth"]["spp"], 1024);
+    EXPECT_EQ(json["passes"][0]["gpu_ms"]["p95"], 0.9);
+}
+
+TEST(RunRecord, StaysOneLineWhateverTheTexts) {
+    RunRecord record = sampleRecord();
+    record.warnings = {"two\nlines", "not UTF-8: \xff"};
+    EXPECT_EQ(record.toJson().find('\n'), std::string::npos);
+    EXPECT_NO_THROW(RunRecord::fromJson(record.toJson(), "test"));
+}
+
+TEST(RunRecord, RefusesOtherDocumentsAndSaysWhere) {
+    for (const char* text :
+         {"", "{", "{}", "[]", "{\"schema\":\"ombrage/record/9\"}", "{\"schema\":\"ombrage/record/1\"}"}) {
+        try {
+            RunRecord::fromJson(text, "records.jsonl:7");
+            ADD_FAILURE() << text;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::Input);
+            EXPECT_EQ(error.where(), "records.jsonl:7");
+        }
+    }
+}
+
+TEST(RunNote, ReadsBackWhatItWrote) {
+    const RunNote note{{"ombrage", "compare", "a b"}, {{"gap", "shadow/sample", "no"}}, {"a gate"}, true};
+    EXPECT_EQ(RunNote::fromJson(note.toJson(), "test"), note);
+}
+
+TEST(Lines, AreAppendedWhole) {
+    const auto file = freshFile("ombrage_lines.jsonl");
+    appendLine(file, "one");
+    appendLine(file, "two");
+    EXPECT_EQ(content(file), "one\ntwo\n");
+    EXPECT_EQ(readLines(file), (std::vector<std::string>{"one", "two"}));
+}
+
+TEST(Lines, TornLastOneIsNeitherReadNorKept) {
+    const auto file = freshFile("ombrage_torn.jsonl");
+    std::ofstream(file, std::ios::binary) << "one\n{\"half";
+    EXPECT_EQ(readLines(file), (std::vector<std::string>{"one"}));
+    appendLine(file, "two");
+    EXPECT_EQ(content(file), "one\ntwo\n");
+}
+
+TEST(Lines, FolderThatIsMissingIsAnEnvironmentError) {
+    try {
+        appendLine(std::filesystem::path(testing::TempDir()) / "no-such-folder" / "x", "line");
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Environment);
+    }
+}
+
+}  // namespace
+}  // namespace ombrage

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include <ombrage/compare.h>
+#include <ombrage/reference.h>
+
+#include "lab/domain.h"
+#include "lab/plan.h"
+#include "lab/run_record.h"
+
+namespace ombrage {
+
+/// Runs the plan of one scene: traces the truth, renders, measures, and writes pictures under DIR/images. The truth of
+/// one light is kept until another light is asked for, so runs should come ordered by light.
+class SceneRunner {
+public:
+    /// @param tell   called with what is being done (an empty text is a sign of life); false stops with Error(Interrupted)
+    SceneRunner(const Scene& scene, const CompareRequest& request, Renderer& renderer,
+                std::function<bool(const std::string&)> tell);
+
+    /// @throws whatever scene, renderer and files throw; nothing is written for a run that threw, pictures apart.
+    RunRecord run(const PlannedRun& planned);
+
+private:
+    /// The truth of one light and the picture that the renderer composes with it.
+    struct ShadowCase {
+        int light = -1;
+        ShadowTruth truth;
+        Image picture;  ///< as displayed
+        std::string truthPath, picturePath;
+    };
+    struct AoCase {
+        AoTruth truth;
+        std::string truthPath;
+    };
+
+    ShadowCase& shadowCase(int light);
+    AoCase& aoCase();
+    void measureShadowRun(const PlannedRun& planned, const RenderResult& result, const std::string& stem,
+                          RunRecord& record);
+    void measureAoRun(const RenderResult& result, const std::string& stem, RunRecord& record);
+    RunRecord describe(const PlannedRun& planned, const RenderSettings& settings, const RenderResult& result) const;
+    ReferenceOptions referenceOptions() const;
+    const Receivers& receivers();
+    void announce(const std::string& what) const;
+    RenderSettings settingsFor(int light) const;
+    std::string stem(int light) const;
+    /// Writes DIR/images/STEM-KIND.png and returns the path relative to DIR.
+    std::string save(const std::string& stem, const std::string& kind, const Image& image) const;
+
+    const Scene& m_scene;  ///< as loaded: the renderer animates it by itself
+    Scene m_moved;         ///< at the chosen time, for the truth
+    const CompareRequest& m_request;
+    Renderer& m_renderer;
+    std::function<bool(const std::string&)> m_tell;
+    std::string m_hash;
+    int m_camera = 0;
+    std::unique_ptr<Reference> m_reference;
+    SceneTraits m_traits;
+    std::optional<Receivers> m_receivers;
+    std::optional<ShadowCase> m_shadow;
+    std::optional<AoCase> m_ao;
+};
+
+}  // namespace ombrage

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <ombrage/compare.h>
+#include <ombrage/error.h>
+#include <ombrage/image.h>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <locale>
+#include <nlohmann/json.hpp>
+
+#include "lab/record_sample.h"
+#include "report/html_text.h"
+#include "report/page.h"
+
+namespace ombrage {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string content(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+/// A picture that PNG cannot compress: the worst case for the size of a report.
+Image noise(int width, int height, unsigned seed) {
+    Image image = Image::rgb(width, height, ColorSpace::Srgb);
+    for (int p = 0; p < 3; ++p)
+        for (float& v : image.plane(p)) v = float((seed = seed * 1664525u + 1013904223u) >> 24) / 255.0f;
+    return image;
+}
+
+class ReportTest : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = fs::path(testing::TempDir()) /
+                   ("ombrage_report_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+        fs::remove_all(m_folder);
+        fs::create_directories(m_folder / "images");
+    }
+    void TearDown() override { fs::remove_all(m_folder); }
+
+    void add(RunRecord record, int width = 64, int height = 36) {
+        unsigned seed = 1;
+        for (auto& [kind, path] : record.images) {
+            path = "images/" + kind + std::to_string(m_count) + ".png";
+            writeImage(m_folder / path, noise(width, height, ++seed + unsigned(m_count)));
+        }
+        ++m_count;
+        appendLine(m_folder / kRecordsFile, record.toJson());
+    }
+
+    std::string page() { return content(writeReport(m_folder)); }
+
+    fs::path m_folder;
+    int m_count = 0;
+};
+
+/// Every element that must be closed is closed in the right order; returns the first problem or "".
+std::string structureProblem(const std::string& html) {
+    static const std::vector<std::string> kVoid{"meta", "img", "br"};
+    std::vector<std::string> open;
+    for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
+        if (html.compare(at, 2, "<!") == 0) continue;
+        const bool closing = html[at + 1] == '/';
+        const std::size_t start = at + (closing ? 2 : 1);
+        const std::size_t end = html.find_first_of(" >\n", start);
+        const std::string name = html.substr(start, end - start);
+        if (name.empty() || !std::isalpha(static_cast<unsigned char>(name[0])))
+            return "stray '<' before " + html.substr(at, 20);
+        if (std::find(kVoid.begin(), kVoid.end(), name) != kVoid.end()) continue;
+        if (!closing) {
+            open.push_back(name);
+            // What stands in script and style is text up to their end.
+            if (name == "script" || name == "style") at = html.find("</" + name, at) - 1;
+        } else if (open.empty() || open.back() != name) {
+            return "</" + name + "> closes " + (open.empty() ? "nothing" : open.back());
+        } else {
+            open.pop_back();
+        }
+    }
+    return open.empty() ? "" : "<" + open.back() + "> is never closed";
+}
+
+TEST(HtmlText, Base64KnownAnswers) {
+    // RFC 4648, section 10.
+    const std::pair<std::string, std::string> known[] = {{"", ""},
+                                                         {"f", "Zg=="},
+                                                         {"fo", "Zm8="},
+                                                         {"foo", "Zm9v"},
+                                                         {"foob", "Zm9vYg=="},
+                                                         {"fooba", "Zm9vYmE="},
+                                                         {"foobar", "Zm9vYmFy"}};
+    for (const auto& [plain, encoded] : known)
+        EXPECT_EQ(base64({reinterpret_cast<const unsigned char*>(plain.data()), plain.size()}), encoded);
+}
+
+TEST(HtmlText, Numbers) {
+    EXPECT_EQ(shortNumber(std::nullopt), "–");
+    EXPECT_EQ(shortNumber(0.0), "0");
+    EXPECT_EQ(shortNumber(0.123456), "0.1235");
+    EXPECT_EQ(shortNumber(0.0001234), "0.000123");
+    EXPECT_EQ(byteText(512), "512 B");
+    EXPECT_EQ(byteText(1536), "1.5 KiB");
+    EXPECT_EQ(byteText(16777216), "16 MiB");
+}
+
+TEST(Headline, NamesTheNearestToTheTruth) {
+    const std::string text = headline({sampleRecord("shadow/worse", 0.3), sampleRecord("shadow/better", 0.1)});
+    EXPECT_NE(text.find("shadow/better came nearest to the truth of among 2 shadow techniques"), std::string::npos)
+        << text;
+    EXPECT_NE(text.find("llvmpipe (software)"), std::string::npos) << text;
+}
+
+// One measured on fewer scenes is not compared with those measured on all.
+TEST(Headline, PrefersWhatWasMeasuredEverywhere) {
+    RunRecord elsewhere = sampleRecord("shadow/everywhere", 0.2);
+    elsewhere.scene = "room";
+    const std::string text =
+        headline({sampleRecord("shadow/everywhere", 0.2), elsewhere, sampleRecord("shadow/once", 0.1)});
+    EXPECT_NE(text.find("shadow/everywhere came nearest"), std::string::npos) << text;
+}
+
+TEST_F(ReportTest, IsOneSelfContainedPage) {
+    add(sampleRecord("shadow/one"));
+    add(sampleRecord("shadow/two"));
+    appendLine(
+        m_folder / kRunsFile,
+        RunNote{{"ombrage", "compare", "it's"}, {{"gap", "shadow/three", "no such light"}}, {"a failed gate"}, false}
+            .toJson());
+    const std::string html = page();
+    EXPECT_EQ(structureProblem(html), "");
+    EXPECT_EQ(html.find("http://"), std::string::npos);
+    EXPECT_EQ(html.find("https://"), std::string::npos);
+    EXPECT_NE(html.find("default-src 'none'"), std::string::npos);
+    EXPECT_EQ(countOf(html, "<h2>gap: shadow, light lamp</h2>"), 1u) << "one table for one question";
+    // The truth once, a visibility each.
+    EXPECT_EQ(countOf(html, "src=\"data:image/png;base64,"), 3u);
+    EXPECT_EQ(countOf(html, " alt=\"\""), 0u);
+    EXPECT_NE(html.find("no such light"), std::string::npos);
+    EXPECT_NE(html.find("a failed gate"), std::string::npos);
+    EXPECT_NE(html.find(escapeHtml("ombrage compare 'it'\\''s'")), std::string::npos) << "the command can be pasted";
+}
+
+TEST_F(ReportTest, HoldsItsRecordsAsJson) {
+    const RunRecord record = sampleRecord();
+    appendLine(m_folder / kRecordsFile, record.toJson());
+    const std::string html = page(), open = "id=\"records\">";
+    const std::size_t start = html.find(open) + open.size();
+    const auto json = nlohmann::ordered_json::parse(html.substr(start, html.find("</script>", start) - start));
+    EXPECT_EQ(RunRecord::fromJson(json["records"][0].dump(), "page"), record);
+}
+
+TEST_F(ReportTest, NamesCannotBreakThePage) {
+    RunRecord record = sampleRecord();
+    record.scene = "</script><script>alert(1)</script>";
+    record.warnings = {"\"><img src=x onerror=alert(1)>"};
+    add(record);
+    const std::string html = page();
+    EXPECT_EQ(structureProblem(html), "");
+    EXPECT_EQ(html.find("<script>alert"), std::string::npos);
+    EXPECT_EQ(html.find("<img src=x"), std::string::npos);
+}
+
+TEST_F(ReportTest, ALaterRunTakesTheEarlierOnesPlaceAndATornLineIsLeftOut) {
+    add(sampleRecord("shadow/one", 0.75));
+    add(sampleRecord("shadow/one", 0.25));
+    std::ofstream(m_folder / kRecordsFile, std::ios::app | std::ios::binary) << "{\"schema\":";
+    const std::string html = page();
+    EXPECT_EQ(countOf(html, "data-v=\"0.25\""), 1u);
+    EXPECT_EQ(countOf(html, "data-v=\"0.75\""), 0u);
+}
+
+TEST_F(ReportTest, StaysBelowEightMegabytes) {
+    // 12 pictures of noise at 640x360 would take 11 MB as they are.
+    for (int i = 0; i < 6; ++i) add(sampleRecord("shadow/t" + std::to_string(i)), 640, 360);
+    const fs::path file = writeReport(m_folder);
+    EXPECT_LT(fs::file_size(file), 8'000'000u);
+    const std::string html = content(file);
+    EXPECT_EQ(countOf(html, "<img "), 7u) << "smaller, but all there";
+    EXPECT_EQ(html.find("at most 640 px wide"), std::string::npos);
+}
+
+TEST_F(ReportTest, APictureThatIsGoneIsSaid) {
+    add(sampleRecord());
+    fs::remove(m_folder / "images/visibility0.png");
+    const std::string html = page();
+    EXPECT_NE(html.find("1 picture(s) of the records could not be read, such as images/visibility0.png"),
+              std::string::npos);
+}
+
+TEST_F(ReportTest, RecordsReachNoFileOutsideTheFolder) {
+    writeImage(m_folder / "outside.png", noise(4, 4, 1));
+    const fs::path inner = m_folder / "inner";
+    fs::create_directories(inner);
+    RunRecord record = sampleRecord();
+    record.images = {{"visibility", "../outside.png"}, {"truth", (m_folder / "outside.png").string()}};
+    appendLine(inner / kRecordsFile, record.toJson());
+    EXPECT_EQ(countOf(content(writeReport(inner)), "<img "), 0u);
+}
+
+TEST_F(ReportTest, AFolderWithoutRecordsIsAnInputError) {
+    try {
+        writeReport(m_folder);
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), ErrorCode::Input);
+    }
+}
+
+struct DecimalComma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+};
+
+TEST_F(ReportTest, IsTheSameUnderADecimalComma) {
+    add(sampleRecord());
+    const std::string before = page();
+    const std::locale old = std::locale::global(std::locale(std::locale(), new DecimalComma));
+    const std::string after = page();
+    std::locale::global(old);
+    EXPECT_EQ(before, after);
+}
+
+TEST_F(ReportTest, OpensInARealBrowser) {
+    if (std::system("command -v chromium >/dev/null 2>&1") != 0)
+        GTEST_SKIP() << "SKIPPED: there is no chromium; install it to test the report in a browser";
+    add(sampleRecord("shadow/one", 0.3));
+    add(sampleRecord("shadow/two", 0.1));
+    const fs::path file = writeReport(m_folder), dom = m_folder / "dom.html", log = m_folder / "log.txt";
+    const std::string command =
+        "timeout 60 chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir='" +
+        (m_folder / "profile").string() + "' --dump-dom 'file://" + file.string() + "' >'" + dom.string() + "' 2>'" +
+        log.string() + "'";
+    ASSERT_EQ(std::system(command.c_str()), 0) << content(log);
+    // The script ran to its end, and neither it nor the content policy complained.
+    EXPECT_NE(content(dom).find("data-ready=\"yes\""), std::string::npos);
+    EXPECT_EQ(countOf(content(dom), "class=\"flip\""), 1u);
+    EXPECT_EQ(content(log).find("CONSOLE"), std::string::npos) << content(log);
+}
+
+}  // namespace
+}  // namespace ombrage

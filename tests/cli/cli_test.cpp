@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+// The program from outside: exit codes, streams, files. OMBRAGE_PROGRAM names the binary.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <ombrage/image.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+std::string content(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Result {
+    int code = -1;
+    std::string out, err;
+};
+
+class Cli : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = fs::path(testing::TempDir()) /
+                   (std::string("ombrage_cli_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+        fs::remove_all(m_folder);
+        fs::create_directories(m_folder);
+    }
+    void TearDown() override { fs::remove_all(m_folder); }
+
+    pid_t start(std::vector<std::string> arguments,
+                const std::vector<std::pair<std::string, std::string>>& environment = {}) {
+        arguments.insert(arguments.begin(), OMBRAGE_PROGRAM);
+        const pid_t child = fork();
+        if (child != 0) return child;
+        for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
+        const auto redirect = [&](const char* file, int target) {
+            dup2(open((m_folder / file).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666), target);
+        };
+        redirect("stdout", STDOUT_FILENO);
+        redirect("stderr", STDERR_FILENO);
+        if (chdir(m_folder.c_str()) != 0) _exit(99);
+        std::vector<char*> pointers;
+        for (std::string& argument : arguments) pointers.push_back(argument.data());
+        pointers.push_back(nullptr);
+        execv(OMBRAGE_PROGRAM, pointers.data());
+        _exit(98);
+    }
+
+    Result finish(pid_t child) {
+        int status = 0;
+        waitpid(child, &status, 0);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), content(m_folder / "stdout"),
+                content(m_folder / "stderr")};
+    }
+
+    Result run(const std::vector<std::string>& arguments,
+               const std::vector<std::pair<std::string, std::string>>& environment = {}) {
+        return finish(start(arguments, environment));
+    }
+
+    /// The first id of the family beside its baseline.
+    std::string idOf(const std::string& family) {
+        const Json json = Json::parse(run({"list", "--family", family, "--json"}).out);
+        return json["techniques"].size() > 1 ? json["techniques"][1]["id"] : json["techniques"][0]["id"];
+    }
+
+    void expectUsageError(const std::vector<std::string>& arguments, const std::string& message) {
+        const Result result = run(arguments);
+        EXPECT_EQ(result.code, 2) << result.err;
+        EXPECT_EQ(result.out, "");
+        EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+    }
+
+    fs::path m_folder;
+};
+
+TEST_F(Cli, VersionAndHelp) {
+    const Result version = run({"--version"});
+    EXPECT_EQ(version.code, 0);
+    EXPECT_EQ(version.out.rfind("ombrage ", 0), 0u) << version.out;
+    for (const char* command : {"list", "doctor", "render", "reference", "compare", "diff", "report", "demo"})
+        for (const char* option : {"--help", "-h"}) {
+            const Result help = run({command, option});
+            EXPECT_EQ(help.code, 0) << command;
+            EXPECT_NE(help.out.find("Examples:\n  ombrage " + std::string(command)), std::string::npos) << help.out;
+            EXPECT_EQ(help.err, "");
+        }
+}
+
+TEST_F(Cli, NoCommandIsWrongUsage) {
+    const Result result = run({});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_NE(result.err.find("compare"), std::string::npos);
+}
+
+TEST_F(Cli, MisspeltNamesAreSuggested) {
+    expectUsageError({"rendr", "gap"}, "did you mean 'render'?");
+    expectUsageError({"render", "gap", "-o", "x.png", "--shadwo", "y"}, "did you mean '--shadow'?");
+    expectUsageError({"render", "gap", "-o", "x.png", "--sise=3x3"}, "did you mean '--size'?");
+    expectUsageError({"render", "gapp", "-o", "x.png"}, "did you mean 'gap'?");
+    expectUsageError({"render", "gap", "-o", "x.png", "--camera", "nowhere"}, "unknown camera 'nowhere'");
+    expectUsageError({"render", "gap", "-o", "x.png", "--shading", "fong"}, "did you mean 'phong'?");
+    expectUsageError({"list", "scnes"}, "did you mean 'scenes'?");
+    expectUsageError({"list", "--family", "shadwo"}, "did you mean 'shadow'?");
+    expectUsageError({"diff", "a.png", "b.png", "--metric", "rms"}, "did you mean 'rmse'?");
+    expectUsageError({"compare", "gap", "--all", "shadwo", "-o", "out"}, "did you mean 'shadow'?");
+    expectUsageError({"compare", "gap", "--all", "shadow", "-o", "out", "--fail-on", "rmsee>1"},
+                     "did you mean 'rmse'?");
+    EXPECT_FALSE(fs::exists(m_folder / "x.png"));
+    EXPECT_FALSE(fs::exists(m_folder / "out"));
+}
+
+TEST_F(Cli, RefusesWrongValues) {
+    expectUsageError({"render", "gap", "-o", "x.png", "--size", "640"}, "write WxH");
+    expectUsageError({"render", "gap", "-o", "x.png", "--size", "0x9"}, "1 to 16384");
+    expectUsageError({"render", "gap", "-o", "x.png", "--time", "0,5"}, "not a number");
+    expectUsageError({"render", "gap", "-o", "x.png", "--frames", "0"}, "from 1");
+    expectUsageError({"render", "gap", "-o", "x.png", "--composite", "overlay:2"}, "from 0 to 1");
+    expectUsageError({"render", "gap", "-o", "x.png", "--eye", "1,2"}, "X,Y,Z");
+    expectUsageError({"render", "gap"}, "-o out.png");
+    expectUsageError({"render"}, "no scene");
+    expectUsageError({"render", "gap", "sphere", "-o", "x.png"}, "one argument too many");
+    expectUsageError({"compare", "gap", "-o", "out"}, "no technique");
+    expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "indirect"},
+                     "unknown value of --quantity 'indirect'");
+    expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "ao", "--truth", "T9"}, "T1");
+}
+
+TEST_F(Cli, SetChecksTechniqueParameterAndUse) {
+    const std::string shadow = idOf("shadow"), ao = idOf("ao");
+    expectUsageError({"render", "gap", "-o", "x.png", "--shadow", shadow, "--set", "no-such-thing.a=1"},
+                     "unknown technique in --set");
+    expectUsageError({"render", "gap", "-o", "x.png", "--shadow", shadow, "--set", shadow + ".no-such-key=1"},
+                     "no-such-key");
+    expectUsageError({"render", "gap", "-o", "x.png", "--set", shadow + "=1"}, "not ID.param=value");
+    expectUsageError({"render", "gap", "-o", "x.png", "--set", shadow + ".a=1"}, "not in use");
+}
+
+TEST_F(Cli, BadInputFilesExitThree) {
+    std::ofstream(m_folder / "bad.json") << "{ \"models\": ";
+    std::ofstream(m_folder / "bad.png") << "not a picture";
+    EXPECT_EQ(run({"render", "bad.json", "-o", "x.png"}).code, 3);
+    EXPECT_EQ(run({"diff", "bad.png", "bad.png"}).code, 3);
+    EXPECT_EQ(run({"report", "."}).code, 3);
+    EXPECT_EQ(run({"render", "gap", "-o", "x.png", "--state", "missing.json"}).code, 3);
+}
+
+TEST_F(Cli, ListsAsJson) {
+    const Json techniques = Json::parse(run({"list", "--json"}).out);
+    EXPECT_EQ(techniques["schema"], "ombrage/techniques/1");
+    ASSERT_GE(techniques["techniques"].size(), 5u) << "one of each family at least";
+    for (const Json& t : techniques["techniques"])
+        for (const Json& p : t["params"]) EXPECT_FALSE(p["help"].get<std::string>().empty()) << t["id"] << p["key"];
+    const Json scenes = Json::parse(run({"list", "scenes", "--json"}).out);
+    EXPECT_TRUE(std::any_of(scenes["scenes"].begin(), scenes["scenes"].end(),
+                            [](const Json& s) { return s["name"] == "gap"; }));
+    const Json metrics = Json::parse(run({"list", "metrics", "--json"}).out);
+    EXPECT_TRUE(std::any_of(metrics["metrics"].begin(), metrics["metrics"].end(),
+                            [](const Json& m) { return m["key"] == "rmse"; }));
+    const Json params = Json::parse(run({"list", "params", idOf("shadow"), "--json"}).out);
+    EXPECT_EQ(params["schema"], "ombrage/params/1");
+}
+
+TEST_F(Cli, DoctorPrintsOneDocument) {
+    const Result result = run({"doctor", "--json"});
+    EXPECT_EQ(result.code, 0) << result.out;
+    const Json json = Json::parse(result.out);
+    EXPECT_TRUE(json["healthy"].get<bool>());
+    EXPECT_GT(json["checks"].size(), 3u);
+}
+
+TEST_F(Cli, DiffKnownAnswers) {
+    // Grey 0 and grey 51/255 = 0.2 survive 8 bits exactly; the difference is 0.2 everywhere.
+    for (const auto& [name, value] : {std::pair("a.png", 0.0f), std::pair("b.png", 0.2f)}) {
+        ombrage::Image image = ombrage::Image::grey(40, 30);
+        for (float& v : image.plane(0)) v = value;
+        ombrage::writeImage(m_folder / name, image);
+    }
+    const Result rmse = run({"diff", "a.png", "b.png", "--metric", "rmse", "--json", "--map", "map.png"});
+    EXPECT_EQ(rmse.code, 0) << rmse.err;
+    EXPECT_NEAR(Json::parse(rmse.out)["value"].get<double>(), 0.2, 1e-6);  // float rounding
+    EXPECT_TRUE(fs::exists(m_folder / "map.png"));
+    EXPECT_EQ(run({"diff", "a.png", "b.png", "--metric", "rmse", "--fail-above", "0.1"}).code, 1);
+    EXPECT_EQ(run({"diff", "a.png", "b.png", "--metric", "rmse", "--fail-above", "0.3"}).code, 0);
+    const Json equal = Json::parse(run({"diff", "a.png", "a.png", "--metric", "psnr", "--json"}).out);
+    EXPECT_TRUE(equal["value"].is_null());
+    EXPECT_TRUE(equal["exact"].get<bool>());
+}
+
+TEST_F(Cli, RendersPngAndKeepsStdoutClean) {
+    const Result result =
+        run({"render", "gap", "-o", "sub/out.png", "--size", "64x36", "--eye", "-4,3,5", "--target", "0,0.5,0"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out, "");
+    const ombrage::Image image = ombrage::readImage(m_folder / "sub/out.png");
+    EXPECT_EQ(image.width(), 64);
+    EXPECT_EQ(image.height(), 36);
+    const auto plane = image.plane(0);
+    EXPECT_GT(*std::max_element(plane.begin(), plane.end()) - *std::min_element(plane.begin(), plane.end()), 0.1f)
+        << "not one flat colour";
+}
+
+TEST_F(Cli, RenderJsonShowAndState) {
+    const std::string shadow = idOf("shadow");
+    std::ofstream(m_folder / "state.json")
+        << Json{{"scene", "gap"}, {"shadow", shadow}, {"size", {48, 27}}, {"output", "state.png"}};
+    const Result result = run({"render", "--state", "state.json", "--size", "32x18", "--json", "--show", "visibility"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["size"], Json::array({32, 18})) << "the command line wins";
+    EXPECT_EQ(json["pipelines"]["shadow"], shadow);
+    EXPECT_EQ(ombrage::readImage(m_folder / "state.png").width(), 32);
+
+    const Json names = Json::parse(run({"render", "gap", "--show", "list", "--json"}).out);
+    EXPECT_TRUE(
+        std::any_of(names["names"].begin(), names["names"].end(), [](const Json& n) { return n["name"] == "depth"; }));
+
+    std::ofstream(m_folder / "typo.json") << Json{{"scene", "gap"}, {"shadwo", shadow}};
+    expectUsageError({"render", "--state", "typo.json", "-o", "x.png"}, "did you mean 'shadow'?");
+}
+
+TEST_F(Cli, ReferenceWritesItsPlanes) {
+    const Result result =
+        run({"reference", "gap", "-o", "ref.exr", "--quantity", "shadow", "--size", "64x36", "--json"});
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(Json::parse(result.out)["quantity"], "shadow");
+    const ombrage::Image image = ombrage::readImage(m_folder / "ref.exr");
+    for (const char* plane : {"visibility", "standard_error", "mask"}) EXPECT_GE(image.findPlane(plane), 0) << plane;
+    EXPECT_EQ(run({"reference", "gap", "-o", "ref.png", "--quantity", "ao", "--spp", "8", "--size", "32x18"}).code, 0);
+    EXPECT_EQ(ombrage::readImage(m_folder / "ref.png").planeCount(), 1);
+    EXPECT_EQ(
+        run({"reference", "gap", "-o", "look.png", "--quantity", "picture", "--spp", "8", "--size", "32x18"}).code, 0);
+}
+
+TEST_F(Cli, ComparesGatesAndReports) {
+    const Result result = run({"compare", "gap", "--all", "shadow", "-o", "out", "--size", "96x54", "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["schema"], "ombrage/records/1");
+    ASSERT_GE(json["records"].size(), 1u);
+    for (const Json& record : json["records"]) {
+        EXPECT_EQ(record["schema"], "ombrage/record/1");
+        EXPECT_TRUE(record["metrics"].contains("rmse"));
+        EXPECT_TRUE(record["metrics"].contains("flip"));
+        EXPECT_EQ(record["truth"]["kind"], "shadow");
+        for (const auto& [kind, path] : record["images"].items())
+            EXPECT_TRUE(fs::exists(m_folder / "out" / path.get<std::string>())) << kind;
+    }
+    const std::string lines = content(m_folder / "out/records.jsonl");
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), std::ptrdiff_t(json["records"].size()));
+    EXPECT_TRUE(fs::exists(m_folder / "out/report.html"));
+    EXPECT_EQ(run({"report", "out", "-o", "again.html"}).code, 0);
+    EXPECT_TRUE(fs::exists(m_folder / "again.html"));
+
+    // Everything has a mean error of 0 or more, so this gate holds for every record.
+    const Result gated =
+        run({"compare", "gap", "--technique", idOf("shadow"), "-o", "gated", "--size", "96x54", "--fail-on", "mae>=0"});
+    EXPECT_EQ(gated.code, 1) << gated.err;
+    EXPECT_NE(gated.err.find("mae>=0"), std::string::npos);
+}
+
+TEST_F(Cli, ComparesOcclusionAndFilters) {
+    const Result result = run({"compare", "corner", "--all", "ao", "--all", "filter", "--all", "aa", "-o", "out",
+                               "--size", "64x36", "--spp", "16", "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    bool piped = false;
+    for (const Json& record : json["records"]) {
+        const std::string family = record["family"];
+        EXPECT_TRUE(record["light"].is_null());
+        if (family == "ao") {
+            EXPECT_EQ(record["truth"]["kind"], "T1");
+        } else {
+            EXPECT_TRUE(record["truth"].is_null());
+        }
+        piped = piped || record["technique"].get<std::string>().find("+filter/") != std::string::npos;
+    }
+    EXPECT_TRUE(piped);
+}
+
+TEST_F(Cli, InterruptKeepsWholeLinesAndExits130) {
+    // Many scenes at a size that takes far longer than the wait.
+    const pid_t child = start(
+        {"compare", "gap", "sphere", "room", "menger", "comb", "--all", "shadow", "-o", "out", "--size", "640x360"});
+    for (int i = 0; i < 600 && content(m_folder / "out/records.jsonl").empty(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    kill(child, SIGINT);
+    const Result result = finish(child);
+    EXPECT_EQ(result.code, 130) << result.err;
+    const std::string lines = content(m_folder / "out/records.jsonl");
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(lines.back(), '\n');
+    std::istringstream in(lines);
+    for (std::string line; std::getline(in, line);) EXPECT_TRUE(Json::accept(line)) << line;
+    EXPECT_TRUE(fs::exists(m_folder / "out/report.html"));
+}
+
+TEST_F(Cli, ADecimalCommaInTheEnvironmentChangesNothing) {
+    // Without the locale installed the variable has no effect; with it, it must have none either.
+    const std::vector<std::pair<std::string, std::string>> german{{"LC_ALL", "de_DE.UTF-8"}};
+    const std::vector<std::string> command{"reference", "gap", "-o",     "a.exr", "--quantity", "shadow",
+                                           "--time",    "0.5", "--size", "32x18", "--json"};
+    const Result plain = run(command), comma = run(command, german);
+    EXPECT_EQ(comma.code, 0) << comma.err;
+    EXPECT_EQ(plain.out, comma.out);
+    expectUsageError({"reference", "gap", "-o", "a.exr", "--quantity", "shadow", "--time", "0,5"}, "not a number");
+}
+
+TEST_F(Cli, ProgressIsPlainOffTerminals) {
+    const Result result = run({"reference", "gap", "-o", "a.exr", "--quantity", "ao", "--spp", "8", "--size", "32x18"},
+                              {{"NO_COLOR", "1"}});
+    EXPECT_EQ(result.err.find('\x1b'), std::string::npos);
+    EXPECT_EQ(result.err.find('\r'), std::string::npos);
+}
+
+}  // namespace
