@@ -71,7 +71,7 @@ int runCommandLine(const std::vector<std::string>& arguments) {
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        printResult(chosen < commands.size() ? apps[chosen]->help() : app.help());
+        printResult(chosen < commands.size() ? apps[chosen]->help("ombrage") : app.help());
         return 0;
     } catch (const CLI::CallForVersion&) {
         printResult("ombrage " + std::string(versionString()) + "\n");

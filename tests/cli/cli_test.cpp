@@ -97,6 +97,7 @@ TEST_F(Cli, VersionAndHelp) {
             const Result help = run({command, option});
             EXPECT_EQ(help.code, 0) << command;
             EXPECT_NE(help.out.find("Examples:\n  ombrage " + std::string(command)), std::string::npos) << help.out;
+            EXPECT_NE(help.out.find("Usage: ombrage " + std::string(command)), std::string::npos) << help.out;
             EXPECT_EQ(help.err, "");
         }
 }
