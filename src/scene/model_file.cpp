@@ -2,7 +2,9 @@
 #include "scene/model_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <set>
 
 #include <assimp/config.h>
@@ -177,6 +179,24 @@ void dropUnusableParts(ModelFile& model) {
                       model.parts.end());
 }
 
+/// The library's MD2 reader trusts the head of the file; refuse one whose tables do not lie inside the file.
+void checkMd2Head(const std::string& content, const std::filesystem::path& file) {
+    std::array<std::int32_t, 17> head{};
+    const auto refuse = [&] {
+        throw Error(ErrorCode::Input,
+                    "the MD2 model '" + file.string() + "' is damaged: its tables lie outside the file");
+    };
+    if (content.size() < sizeof head) refuse();
+    std::memcpy(head.data(), content.data(), sizeof head);
+    // Size of an element, where its count stands in the head, where its offset stands: skins, st, triangles, frames.
+    const std::int64_t tables[4][3] = {{64, 5, 11}, {4, 7, 12}, {12, 8, 13}, {head[4], 10, 14}};
+    for (const auto& [size, count, offset] : tables) {
+        const std::int64_t n = head[std::size_t(count)], begin = head[std::size_t(offset)];
+        if (size < 0 || n < 0 || begin < 0 || begin + n * size > std::int64_t(content.size())) refuse();
+    }
+    if (head[6] < 0 || head[4] < 40 + 4 * std::int64_t(head[6])) refuse();
+}
+
 MtlLibrary readMtlLibraries(const std::string& objText, const std::filesystem::path& folder,
                             std::vector<std::string>& warnings) {
     MtlLibrary library;
@@ -196,6 +216,7 @@ ModelFile readModelFile(const std::filesystem::path& file) {
     const std::string extension = toLower(file.extension().string());
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (content.empty()) throw Error(ErrorCode::Input, "'" + file.string() + "' is empty");
+    if (extension == ".md2") checkMd2Head(content, file);
 
     Assimp::Importer importer;
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);

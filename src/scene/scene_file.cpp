@@ -96,11 +96,13 @@ private:
         std::string slashes = name;
         std::replace(slashes.begin(), slashes.end(), '\\', '/');
         const fs::path path = fs::path(slashes).is_absolute() ? fs::path(slashes) : m_folder / slashes;
-        // A relative path that leaves the folder, by dots or by a link, could show files that the scene's author never saw.
+        // A relative path that leaves the folder, by dots or by a link, could show files that the scene's author never
+        // saw.
         if (!m_options.allowOutside && !fs::path(slashes).is_absolute()) {
             const fs::path folder = fs::weakly_canonical(m_folder), file = fs::weakly_canonical(path);
             if (std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first != folder.end())
-                throw node.error("the file '" + name + "' lies outside the scene's folder", "allow that with --allow-outside");
+                throw node.error("the file '" + name + "' lies outside the scene's folder",
+                                 "allow that with --allow-outside");
         }
         std::error_code failed;
         if (!fs::is_regular_file(path, failed)) throw node.error("there is no file '" + name + "'");

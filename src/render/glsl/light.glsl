@@ -34,7 +34,11 @@ vec3 irradianceFacing(vec3 l, float distance_m) {
     float factor = 1.0;
     if (type != LIGHT_SUN) factor /= distance_m * distance_m;
     float alongAxis = dot(-l, light.direction.xyz);
-    if (type == LIGHT_SPOT) factor *= smoothstep(light.cone.y, light.cone.x, alongAxis);
+    if (type == LIGHT_SPOT) {
+        // The squared ramp between the cosines of KHR_lights_punctual.
+        float ramp = clamp((alongAxis - light.cone.y) / max(light.cone.x - light.cone.y, 1e-4), 0.0, 1.0);
+        factor *= ramp * ramp;
+    }
     if (type == LIGHT_RECT) factor *= light.cone.w * max(alongAxis, 0.0);
     return light.color.rgb * factor;
 }
