@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: MIT
 # Finds the technique folders src/techniques/FAMILY/NAME and generates the table of their entries. A folder NAME holds
-# NAME.cpp (with '-' as '_') which defines OMBRAGE_TECHNIQUE(FAMILY, NAME, ...): adding a technique edits no list.
+# NAME.cpp (with '-' as '_') which defines OMBRAGE_TECHNIQUE(FAMILY, NAME, ...): adding a technique edits no list. Files
+# that end in _test.cpp join ombrage_technique_tests.
 file(GLOB OMBRAGE_TECHNIQUE_SOURCES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/techniques/*/*/*.cpp ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.cpp)
+set(OMBRAGE_TECHNIQUE_TESTS ${OMBRAGE_TECHNIQUE_SOURCES})
+list(FILTER OMBRAGE_TECHNIQUE_SOURCES EXCLUDE REGEX "_test\\.cpp$")
+list(FILTER OMBRAGE_TECHNIQUE_TESTS INCLUDE REGEX "_test\\.cpp$")
 file(GLOB technique_folders CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/src/techniques/*/*)
 set(declarations "")
 set(rows "")

@@ -18,24 +18,6 @@ namespace {
 
 std::vector<std::string> g_commandLine;
 
-/// What stands before '=' of an argument, for comparing it with option names.
-std::string optionPart(const std::string& argument) {
-    return argument.substr(0, argument.find('='));
-}
-
-Error unknownArgument(const std::string& argument, const std::vector<std::string>& options,
-                      const std::string& command) {
-    if (argument.size() > 1 && argument[0] == '-') {
-        const Error unknown = unknownName("option", optionPart(argument), options);
-        return {ErrorCode::Usage, unknown.message(),
-                nearestName(optionPart(argument), options).empty()
-                    ? "'ombrage " + command + " --help' shows the options"
-                    : unknown.hint()};
-    }
-    return {ErrorCode::Usage, "'" + argument + "' is one argument too many",
-            "'ombrage " + command + " --help' shows what it takes"};
-}
-
 void printError(const Error& error) {
     Progress::clearLine();
     fmt::print(stderr, "ombrage: {}\n", error.message());
@@ -75,32 +57,25 @@ int runCommandLine(const std::vector<std::string>& arguments) {
         names.push_back(command.name);
     }
 
-    // A misspelt command is told before its options confuse the parser.
+    // What does not exist is told here, with a suggestion; the rest is the parser's.
     const auto first =
         std::find_if(arguments.begin(), arguments.end(), [](const std::string& a) { return a.empty() || a[0] != '-'; });
-    if (first != arguments.end() && std::find(names.begin(), names.end(), *first) == names.end())
-        throw unknownName("command", *first, names);
+    const std::vector<std::string> general{"--help", "-h", "--version"};
+    for (auto it = arguments.begin(); it != first; ++it)
+        if (std::find(general.begin(), general.end(), *it) == general.end()) throw unknownName("option", *it, general);
     const std::size_t chosen = first == arguments.end()
                                    ? commands.size()
                                    : std::size_t(std::find(names.begin(), names.end(), *first) - names.begin());
+    if (first != arguments.end() && chosen == commands.size()) throw unknownName("command", *first, names);
+    if (chosen < commands.size()) options[chosen]->checkArguments({first + 1, arguments.end()}, commands[chosen].name);
     try {
         app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
     } catch (const CLI::CallForHelp&) {
-        printResult(chosen < commands.size() ? apps[chosen]->help() : app.help());
+        printResult(chosen < commands.size() ? apps[chosen]->help("ombrage") : app.help());
         return 0;
     } catch (const CLI::CallForVersion&) {
         printResult("ombrage " + std::string(versionString()) + "\n");
         return 0;
-    } catch (const CLI::ExtrasError& e) {
-        const std::vector<std::string> extras = app.remaining(true);
-        if (extras.empty()) throw Error(ErrorCode::Usage, e.what());
-        // A misspelt option explains the word behind it.
-        const auto option = std::find_if(extras.begin(), extras.end(),
-                                         [](const std::string& a) { return a.size() > 1 && a[0] == '-'; });
-        if (chosen == commands.size())
-            throw unknownArgument(option == extras.end() ? extras.front() : *option, {"--help", "--version"}, "");
-        throw unknownArgument(option == extras.end() ? extras.front() : *option, options[chosen]->optionNames(),
-                              commands[chosen].name);
     } catch (const CLI::ParseError& e) {
         throw Error(ErrorCode::Usage, e.what(),
                     chosen < commands.size() ? "'ombrage " + commands[chosen].name + " --help' shows the options" : "");

@@ -64,18 +64,19 @@ void Options::add(const std::string& names, const std::string& help, Take take) 
     made->positional = names[0] != '-';
     const std::size_t dashes = names.rfind("--");
     const std::string key = made->positional ? names : names.substr(dashes + 2);
+    if (!made->positional && dashes > 0) made->shortName = names.substr(0, dashes - 1);
     if (take == Take::Flag) {
         m_app.add_flag(names, made->flag, help);
     } else {
-        CLI::Option* option = m_app.add_option(names, made->values, help);
         // One value an occurrence, so that "--set a=1 SCENE" does not swallow the scene.
-        if (made->positional) {
-            option->expected(take == Take::Many ? -1 : 1);
-        } else {
-            option->expected(1)->allow_extra_args(false);
-            option->multi_option_policy(take == Take::Many ? CLI::MultiOptionPolicy::TakeAll
-                                                           : CLI::MultiOptionPolicy::Throw);
-        }
+        Entry* target = made.get();
+        CLI::Option* option = take == Take::Many
+                                  ? m_app.add_option(names, target->values, help)
+                                  : m_app.add_option_function<std::string>(
+                                        names, [target](const std::string& value) { target->values = {value}; }, help);
+        if (take == Take::Many && made->positional) option->expected(-1);
+        if (take == Take::Many && !made->positional)
+            option->expected(1)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         option->type_name(made->positional ? "" : "TEXT");
     }
     m_entries.emplace(key, std::move(made));
@@ -137,11 +138,41 @@ std::optional<glm::dvec3> Options::point(const std::string& key) const {
                       parseNumber(parts[2], "--" + key));
 }
 
-std::vector<std::string> Options::optionNames() const {
+void Options::checkArguments(const std::vector<std::string>& arguments, const std::string& command) const {
+    const std::string hint = "'ombrage " + command + " --help' shows what it takes";
     std::vector<std::string> names{"--help"};
-    for (const auto& [key, entry] : m_entries)
+    std::size_t room = 0, positionals = 0;
+    for (const auto& [key, entry] : m_entries) {
         if (!entry->positional) names.push_back("--" + key);
-    return names;
+        if (entry->positional) room += entry->take == Take::Many ? arguments.size() : 1;
+    }
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
+        if (argument.size() < 2 || argument[0] != '-') {
+            if (++positionals > room)
+                throw Error(ErrorCode::Usage, "'" + argument + "' is one argument too many", hint);
+            continue;
+        }
+        if (argument == "--help" || argument == "-h") return;
+        if (argument == "--") return;
+        const std::size_t equals = argument.find('=');
+        const std::string name = argument.substr(0, equals);
+        const auto found = std::find_if(m_entries.begin(), m_entries.end(), [&](const auto& pair) {
+            const Entry& e = *pair.second;
+            return !e.positional &&
+                   (name == "--" + pair.first || (!e.shortName.empty() && argument.rfind(e.shortName, 0) == 0));
+        });
+        if (found == m_entries.end()) {
+            const Error unknown = unknownName("option", name, names);
+            throw Error(ErrorCode::Usage, unknown.message(), nearestName(name, names).empty() ? hint : unknown.hint());
+        }
+        // The value is the next argument, whatever it looks like.
+        const Entry& option = *found->second;
+        const bool attached =
+            equals != std::string::npos || (name != "--" + found->first && argument.size() > option.shortName.size());
+        if (option.take == Take::Flag || attached) continue;
+        if (++i == arguments.size()) throw Error(ErrorCode::Usage, name + " needs a value", hint);
+    }
 }
 
 void Options::readState() {

@@ -45,14 +45,17 @@ public:
     /// "X,Y,Z". @throws Error(Usage)
     std::optional<glm::dvec3> point(const std::string& key) const;
 
-    /// Names that a misspelt option may have meant.
-    std::vector<std::string> optionNames() const;
+    /// Looks for options and positionals that do not exist, before the parser does: its messages know no suggestions.
+    /// @param arguments  what stands behind the command
+    /// @throws Error(Usage)
+    void checkArguments(const std::vector<std::string>& arguments, const std::string& command) const;
 
 private:
     struct Entry {
         Take take = Take::One;
         bool positional = false;
         bool flag = false;
+        std::string shortName;   ///< "-o", or ""
         std::vector<std::string> values;
     };
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <tuple>
+#include <typeindex>
 #include <vector>
 
 #include "gl/objects.h"
@@ -65,6 +66,15 @@ public:
 
     std::uint64_t gpuBytes() const;
 
+    /// What techniques derive from the scene's geometry (adjacency, a ray-tracing tree): made by T(const GpuScene&) at first
+    /// use, shared by all of them and kept as long as the scene.
+    template <typename T>
+    T& derived() {
+        std::shared_ptr<void>& slot = m_derived[std::type_index(typeid(T))];
+        if (!slot) slot = std::make_shared<T>(static_cast<const GpuScene&>(*this));
+        return *static_cast<T*>(slot.get());
+    }
+
 private:
     struct Batch;
     const std::vector<Batch>& batches(const DrawFilter& filter);
@@ -84,7 +94,7 @@ private:
     std::vector<gl::Texture> m_textures;
     gl::Texture m_white, m_flatNormal;
     std::map<DrawFilter, std::vector<Batch>> m_batches;
-
+    std::map<std::type_index, std::shared_ptr<void>> m_derived;
 };
 
 }  // namespace ombrage

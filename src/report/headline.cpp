@@ -34,10 +34,11 @@ std::string bestOf(const std::vector<RunRecord>& records, const std::string& fam
         if (mean.count == most && (best.empty() || mean.rmse < means.at(best).rmse)) best = pipeline;
     if (best.empty()) return {};
     const Mean& mean = means.at(best);
-    return fmt::format("{} came nearest to the truth of {} {} (rmse {} on average over {} picture{}, {} ms)", best,
-                       means.size() == 1 ? "(alone)" : fmt::format("among {}", means.size()), what,
-                       shortNumber(mean.rmse / mean.count), mean.count, mean.count == 1 ? "" : "s",
-                       shortNumber(mean.gpu_ms / mean.count));
+    const std::string cost =
+        fmt::format("(rmse {} on average over {} picture{}, {} ms)", shortNumber(mean.rmse / mean.count), mean.count,
+                    mean.count == 1 ? "" : "s", shortNumber(mean.gpu_ms / mean.count));
+    if (means.size() == 1) return fmt::format("{} alone was measured for {} {}", best, what, cost);
+    return fmt::format("of {} pipelines for {}, {} came nearest to the truth {}", means.size(), what, best, cost);
 }
 
 }  // namespace
@@ -52,8 +53,7 @@ std::string headline(const std::vector<RunRecord>& records) {
     const auto list = [](const std::set<std::string>& items) { return join({items.begin(), items.end()}, ", "); };
     std::string text = fmt::format("{} run{} on {} at {} on {}", records.size(), records.size() == 1 ? "" : "s",
                                    list(scenes), list(sizes), list(devices));
-    const std::string shadow = bestOf(records, "shadow", "shadow techniques"),
-                      ao = bestOf(records, "ao", "ambient occlusion techniques");
+    const std::string shadow = bestOf(records, "shadow", "shadows"), ao = bestOf(records, "ao", "ambient occlusion");
     if (!shadow.empty()) text += ": " + shadow;
     if (!ao.empty()) text += (shadow.empty() ? ": " : "; ") + ao;
     return text + ".";

@@ -50,10 +50,12 @@ std::string facts(const ReportData& data) {
     html += "<dt>Device</dt><dd>" + list(devices) + "</dd>\n";
     html += "<dt>Clock of the GPU times</dt><dd>" + list(clocks) + "</dd>\n";
     html += "<dt>Ombrage</dt><dd>" + list(versions) + "</dd>\n";
+    std::set<std::string> commands;
     for (const RunNote& note : data.notes) {
         std::vector<std::string> words;
         for (const std::string& word : note.command) words.push_back(shellQuoted(word));
-        if (!words.empty()) html += "<dt>Command</dt><dd><code>" + escapeHtml(join(words, " ")) + "</code></dd>\n";
+        if (!words.empty() && commands.insert(join(words, " ")).second)
+            html += "<dt>Command</dt><dd><code>" + escapeHtml(join(words, " ")) + "</code></dd>\n";
     }
     return html + "</dl>\n";
 }

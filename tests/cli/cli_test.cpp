@@ -97,6 +97,7 @@ TEST_F(Cli, VersionAndHelp) {
             const Result help = run({command, option});
             EXPECT_EQ(help.code, 0) << command;
             EXPECT_NE(help.out.find("Examples:\n  ombrage " + std::string(command)), std::string::npos) << help.out;
+            EXPECT_NE(help.out.find("Usage: ombrage " + std::string(command)), std::string::npos) << help.out;
             EXPECT_EQ(help.err, "");
         }
 }
@@ -283,8 +284,11 @@ TEST_F(Cli, ComparesOcclusionAndFilters) {
     for (const Json& record : json["records"]) {
         const std::string family = record["family"];
         EXPECT_TRUE(record["light"].is_null());
-        if (family == "ao") EXPECT_EQ(record["truth"]["kind"], "T1");
-        if (family == "aa") EXPECT_TRUE(record["truth"].is_null());
+        if (family == "ao") {
+            EXPECT_EQ(record["truth"]["kind"], "T1");
+        } else {
+            EXPECT_TRUE(record["truth"].is_null());
+        }
         piped = piped || record["technique"].get<std::string>().find("+filter/") != std::string::npos;
     }
     EXPECT_TRUE(piped);
@@ -303,7 +307,7 @@ TEST_F(Cli, InterruptKeepsWholeLinesAndExits130) {
     ASSERT_FALSE(lines.empty());
     EXPECT_EQ(lines.back(), '\n');
     std::istringstream in(lines);
-    for (std::string line; std::getline(in, line);) EXPECT_NO_THROW((void)Json::parse(line)) << line;
+    for (std::string line; std::getline(in, line);) EXPECT_TRUE(Json::accept(line)) << line;
     EXPECT_TRUE(fs::exists(m_folder / "out/report.html"));
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rules that the compiler does not see: who may include whom, what a technique's folder holds, what no file may say.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -113,7 +114,11 @@ TEST(Lint, EveryTechniqueFolderIsWhole) {
         if (!family.is_directory() || family.path().filename() == "shared") continue;
         for (const auto& folder : fs::directory_iterator(family)) {
             const std::string name = folder.path().filename().string();
-            for (const char* part : {".cpp", ".md", ".tests.json"}) EXPECT_TRUE(fs::exists(folder.path() / (name + part))) << folder.path() << " lacks " << name << part;
+            for (const char* part : {".md", ".tests.json"}) EXPECT_TRUE(fs::exists(folder.path() / (name + part))) << folder.path() << " lacks " << name << part;
+            // The source may be lower_snake, as other source files are.
+            std::string source = name + ".cpp";
+            std::replace(source.begin(), source.end(), '-', '_');
+            EXPECT_TRUE(fs::exists(folder.path() / source) || fs::exists(folder.path() / (name + ".cpp"))) << folder.path() << " lacks " << source;
         }
     }
 }

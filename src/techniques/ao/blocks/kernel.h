@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/param_table.h"
+
+namespace ombrage::blocks {
+
+enum class Offsets { Screen, Hemisphere };
+enum class Distribution { Uniform, Cosine, Importance };
+
+/// The sample offsets of one pixel, before its rotation about z. xyz lies in the unit disk z = 0 (screen) or in the
+/// upper half of the unit ball (hemisphere, z along the normal); w is the sample's weight, which is 1 on the average
+/// over the distribution.
+///
+/// - uniform: even in the disk's area, or in the half ball's volume;
+/// - cosine: directions cosine-weighted and lengths t with density 2 t, or the shadow of such points on the disk, so
+///   that density grows towards the receiver as ln(1 / rho);
+/// - importance: the integral of `uniform`, with points put where the estimator's weights are large and divided by
+///   their density (on the half ball by a mixture whose weights stay below 2.1).
+std::vector<glm::vec4> makeKernel(Offsets offsets, Distribution distribution, int count);
+
+}  // namespace ombrage::blocks
+
+namespace ombrage {
+
+template <>
+struct EnumChoices<blocks::Offsets> {
+    static std::vector<std::string> names() { return {"screen", "hemisphere"}; }
+};
+
+template <>
+struct EnumChoices<blocks::Distribution> {
+    static std::vector<std::string> names() { return {"uniform", "cosine", "importance"}; }
+};
+
+}  // namespace ombrage

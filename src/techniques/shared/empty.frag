@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// For passes that write depth or stencil alone.
+void main() {}

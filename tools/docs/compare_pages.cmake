@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Fails when the committed pages of docs/techniques are not what the techniques say today.
+file(REMOVE_RECURSE ${OUTPUT})
+execute_process(COMMAND ${GENERATOR} ${SOURCE} ${OUTPUT} COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB made RELATIVE ${OUTPUT} ${OUTPUT}/*.md)
+file(GLOB committed RELATIVE ${SOURCE}/docs/techniques ${SOURCE}/docs/techniques/*.md)
+if(NOT made STREQUAL committed)
+  message(FATAL_ERROR "docs/techniques holds other pages than there are techniques: build the target 'docs'")
+endif()
+foreach(page IN LISTS made)
+  file(READ ${OUTPUT}/${page} new)
+  file(READ ${SOURCE}/docs/techniques/${page} old)
+  if(NOT new STREQUAL old)
+    message(FATAL_ERROR "docs/techniques/${page} is out of date: build the target 'docs'")
+  endif()
+endforeach()
