@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Known answers of composing: Lambert surfaces (no highlight), where radiance is albedo / pi times irradiance.
-#include <glm/gtc/matrix_transform.hpp>
+#include <algorithm>
+
+#include <ombrage/reference.h>
 
 #include "render_fixture.h"
 
@@ -112,23 +114,45 @@ TEST_F(LightingTest, ARectShinesOnOneSideWithItsAreaAndCosine) {
     EXPECT_NEAR(irradiance(light), 5 * 0.06 / 4 * 0.5, kHalf);
 }
 
-TEST_F(LightingTest, ASpotIsWholeInsideDarkOutsideAndMonotonousBetween) {
+TEST_F(LightingTest, ASpotFadesWithTheSquaredRampBetweenItsCosines) {
     Light light = hand::at(LightType::Spot, {0, 0, 2}, {0, 0, -1}, 4);
     light.inner_rad = 0.2f;
     light.outer_rad = 0.4f;
-    const auto turned = [&](double angle) {
+    for (double angle : {0.0, 0.19, 0.22, 0.26, 0.3, 0.34, 0.38, 0.41}) {
         light.direction = glm::vec3(std::sin(angle), 0, -std::cos(angle));
-        return irradiance(light);
-    };
-    EXPECT_NEAR(turned(0), 1, kHalf);
-    EXPECT_NEAR(turned(0.195), 1, kHalf);
-    EXPECT_EQ(turned(0.405), 0);
-    double last = 1;
-    for (double angle : {0.22, 0.26, 0.30, 0.34, 0.38}) {
-        const double value = turned(angle);
-        EXPECT_LT(value, last) << angle;
-        EXPECT_GT(value, 0) << angle;
-        last = value;
+        // KHR_lights_punctual: t = (cos a - cos outer) / (cos inner - cos outer), kept within 0 and 1, squared.
+        const double ramp = (std::cos(angle) - std::cos(0.4)) / (std::cos(0.2) - std::cos(0.4));
+        const double share = std::pow(std::min(std::max(ramp, 0.0), 1.0), 2);
+        EXPECT_NEAR(irradiance(light), share, kHalf) << angle;
+    }
+}
+
+TEST_F(LightingTest, EveryLightGivesTheTruthsIrradianceEverywhere) {
+    Light rect = hand::at(LightType::Rect, {0.3, 0.2, 1.5}, {-0.2f, 0.1f, -1}, 5000);
+    rect.size_m = {0.02f, 0.03f};
+    Light spot = hand::at(LightType::Spot, {-0.2, 0.3, 1.5}, {0.2f, -0.1f, -1}, 3);
+    for (const Light& light :
+         {hand::sun({0.3f, -0.2f, -1}, 3), hand::at(LightType::Point, {0.4, -0.3, 0.8}, {0, -1, 0}, 2), spot, rect}) {
+        Scene scene = hand::wallScene(hand::matte(glm::vec3(1)));
+        scene.lights = {light};
+        scene.cameras = {hand::camera({0.5, 0.4, 2}, {0, 0, 0})};
+        const Image picture = render(scene, small()).picture;
+        const Reference reference(scene);
+        ReferenceOptions options;
+        options.width = options.height = 33;
+        options.samplesPerPixel = 64;
+        const Receivers receivers = reference.receivers(scene.cameras[0], options);
+        const ShadowTruth truth = reference.shadow(receivers, scene.cameras[0], 0, options);
+        std::size_t lit = 0;
+        for (std::size_t i = 0; i < picture.pixelCount(); ++i) {
+            if (truth.mask[i] != Mask::Valid) continue;
+            ++lit;
+            // A rect counts as its centre here: with 3 cm at 0.8 m or more, (0.015 / 0.8)^2 is 0.04 %. The steep edge
+            // of the spot's cone multiplies the position's rounding, hence the absolute part.
+            EXPECT_NEAR(double(picture.plane(0)[i]) * kPi, truth.irradiance[i], kHalf * truth.irradiance[i] + 1e-3)
+                << lightTypeName(light.type) << " at " << i;
+        }
+        EXPECT_GT(lit, picture.pixelCount() / 20) << lightTypeName(light.type);
     }
 }
 
