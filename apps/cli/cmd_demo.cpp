@@ -25,12 +25,16 @@ int runDemo(const Options& options) {
     std::error_code error;
     for (const char* file : {"records.jsonl", "runs.jsonl"}) std::filesystem::remove(folder / file, error);
 
-    const std::vector<Part> parts{{{"in-shadow", "gap", "sphere"}, Family::Shadow, 0, 0.6},
-                                  {{"cornell", "corner"}, Family::Ao, 64, 1.0}};
+    const std::vector<Part> parts{{{"in-shadow", "gap", "sphere", "menger"}, Family::Shadow, 0, 0.4},
+                                  {{"cornell", "corner", "menger"}, Family::Ao, 64, 0.65},
+                                  {{"cornell", "corner", "menger"}, Family::Filter, 64, 0.9},
+                                  {{"comb", "sphere", "menger"}, Family::Aa, 0, 0.95},
+                                  {{"cornell", "sphere", "menger"}, Family::Indirect, 0, 1.0}};
     Progress progress;
     double start = 0;
     std::filesystem::path report;
     std::string lines;
+    bool interrupted = false;
     for (const Part& part : parts) {
         CompareRequest request;
         request.scenes = part.scenes;
@@ -48,12 +52,13 @@ int runDemo(const Options& options) {
         start = part.share;
         lines += recordLines(result);
         if (!result.report.empty()) report = result.report;
-        if (result.interrupted) break;
+        interrupted = result.interrupted;
+        if (interrupted) break;
     }
     Progress::clearLine();
     printResult(lines);
     if (!report.empty()) printResult(report.string() + "\n");
-    return 0;
+    return interrupted ? int(ErrorCode::Interrupted) : 0;
 }
 
 }  // namespace

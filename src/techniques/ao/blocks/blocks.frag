@@ -4,6 +4,7 @@
 #include "ao/blocks/params"
 #include "ombrage/frame.glsl"
 #include "ombrage/gbuffer.glsl"
+#include "shared/sample_patterns.glsl"
 
 uniform vec4 u_kernel[SAMPLES];   // offsets in the unit disk or half ball; w their weight
 uniform float u_radius_m;
@@ -22,13 +23,7 @@ float turnOfPixel(ivec2 px) {
         vec2 p = vec2(px) + 5.588238 * float(seed & 63u);
         return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715))));
     }
-    if (params.rotation == ROTATION_HASH) {
-        // Two rounds of PCG (Jarzynski, Olano 2020).
-        uint state = (uint(px.x) + 4096u * (uint(px.y) + 4096u * seed)) * 747796405u + 2891336453u;
-        state = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
-        state = (state ^ (state >> 22u)) * 747796405u + 2891336453u;
-        return float(((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u >> 8u) / 16777216.0;
-    }
+    if (params.rotation == ROTATION_HASH) return unitFromBits(hashOf(hashOf(uint(px.y), seed), uint(px.x)));
     // The 16 turns of a 4x4 tile, neighbours far apart (ordered dither), moved by the seed.
     uvec2 t = (uvec2(px) + uvec2(seed, seed >> 2u)) & 3u;
     uint x = t.x ^ t.y;
