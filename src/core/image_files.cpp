@@ -20,11 +20,40 @@ namespace {
 
 std::vector<unsigned char> readBytes(const std::filesystem::path& file) {
     std::ifstream input(file, std::ios::binary);
-    if (!input)
+    if (!input || std::filesystem::is_directory(file))
         throw Error(ErrorCode::Input, "cannot open this image file", "check that it exists and may be read",
                     file.string());
     return std::vector<unsigned char>(std::istreambuf_iterator<char>(input), {});
 }
+
+/// Bytes for the decoder, which takes what lies beyond the end of a JPEG, TGA or BMP file for zeros (or for whatever is
+/// in memory) and calls it a picture.
+struct Reading {
+    std::span<const unsigned char> bytes;
+    std::size_t position = 0;
+    bool pastEnd = false;
+
+    static int read(void* user, char* data, int size) {
+        auto& self = *static_cast<Reading*>(user);
+        const std::size_t count = std::min(std::size_t(size), self.bytes.size() - self.position);
+        std::copy_n(self.bytes.data() + self.position, count, data);
+        std::fill(data + count, data + size, char(0));
+        self.position += count;
+        // The decoder's own buffer takes 128 bytes at a time, fewer at the end; other sizes are needed whole.
+        constexpr int kBufferSize = 128;
+        self.pastEnd = self.pastEnd || count == 0 || (size != kBufferSize && count < std::size_t(size));
+        return int(count);
+    }
+    static void skip(void* user, int count) {
+        auto& self = *static_cast<Reading*>(user);
+        const auto target = std::int64_t(self.position) + count;
+        self.position = std::size_t(std::clamp<std::int64_t>(target, 0, std::int64_t(self.bytes.size())));
+    }
+    static int atEnd(void* user) {
+        const auto& self = *static_cast<const Reading*>(user);
+        return self.position >= self.bytes.size();
+    }
+};
 
 void appendBytes(void* context, void* data, int size) {
     auto& bytes = *static_cast<std::vector<unsigned char>*>(context);
@@ -61,21 +90,25 @@ void writeBytes(const std::filesystem::path& file, const std::vector<unsigned ch
     output.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
     output.close();
     if (!output)
-        throw Error(ErrorCode::Environment, "cannot write this file", "check the folder's permissions and the free space",
-                    file.string());
+        throw Error(ErrorCode::Environment, "cannot write this file",
+                    "check the folder's permissions and the free space", file.string());
 }
 
 }  // namespace
 
 Image decodeImage(std::span<const unsigned char> bytes, const std::string& name) {
     int width = 0, height = 0, channels = 0;
-    unsigned char* pixels =
-        bytes.size() > std::size_t(1) << 30
-            ? nullptr
-            : stbi_load_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels, 0);
+    Reading reading{bytes};
+    const stbi_io_callbacks callbacks{&Reading::read, &Reading::skip, &Reading::atEnd};
+    unsigned char* pixels = stbi_load_from_callbacks(&callbacks, &reading, &width, &height, &channels, 0);
+    const char* reason = stbi_failure_reason();
+    if (reading.pastEnd && pixels) {
+        stbi_image_free(pixels);
+        pixels = nullptr;
+        reason = "the file ends early";
+    }
     if (!pixels)
-        throw Error(ErrorCode::Input,
-                    fmt::format("cannot decode this image: {}", stbi_failure_reason() ? stbi_failure_reason() : "too big"),
+        throw Error(ErrorCode::Input, fmt::format("cannot decode this image: {}", reason ? reason : "unknown kind"),
                     "PNG, JPEG, TGA, BMP and EXR are read", name);
     const std::vector<std::vector<std::string>> kNames = {{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}};
     Image image(width, height, kNames[std::size_t(channels - 1)], ColorSpace::Srgb);
@@ -121,7 +154,8 @@ void writeImage(const std::filesystem::path& file, const Image& image) {
     } else if (extension == ".jpg" || extension == ".jpeg") {
         // JPEG has no alpha: planes beyond the third are refused rather than lost.
         const int channels = displayChannels(image);
-        if (channels == 4) throw Error(ErrorCode::Usage, "JPEG holds no alpha plane", "write it as .png or .exr", file.string());
+        if (channels == 4)
+            throw Error(ErrorCode::Usage, "JPEG holds no alpha plane", "write it as .png or .exr", file.string());
         const std::vector<unsigned char> pixels = to8Bit(image, channels);
         std::vector<unsigned char> bytes;
         constexpr int kQuality = 92;

@@ -51,25 +51,51 @@ Error outOfRange(const ParamInfo& info, const std::string& value, const std::str
 Error wrongType(const ParamInfo& info, const std::string& value, const std::string& owner) {
     std::string takes;
     switch (info.type) {
-        case ParamType::Bool: takes = "true or false"; break;
-        case ParamType::Int: takes = "a whole number, " + rangeText(info); break;
-        case ParamType::Float: takes = "a number, " + rangeText(info); break;
-        case ParamType::Vec3: takes = "(x;y;z), each " + rangeText(info); break;
-        case ParamType::Enum: takes = "one of " + join(info.choices, ", "); break;
+        case ParamType::Bool:
+            takes = "true or false";
+            break;
+        case ParamType::Int:
+            takes = "a whole number, " + rangeText(info);
+            break;
+        case ParamType::Float:
+            takes = "a number, " + rangeText(info);
+            break;
+        case ParamType::Vec3:
+            takes = "(x;y;z), each " + rangeText(info);
+            break;
+        case ParamType::Enum:
+            takes = "one of " + join(info.choices, ", ");
+            break;
     }
     return Error(ErrorCode::Usage, fmt::format("{}: {}={} is not understood", owner, info.key, value),
                  fmt::format("{} takes {}", info.key, takes));
 }
 
-bool inRange(const ParamInfo& info, double value) { return value >= info.minimum && value <= info.maximum; }
+bool inRange(const ParamInfo& info, double value) {
+    return value >= info.minimum && value <= info.maximum;
+}
 
 const char* glslType(ParamType type) {
     switch (type) {
-        case ParamType::Float: return "float";
-        case ParamType::Vec3: return "vec3";
-        case ParamType::Bool: return "bool";
-        default: return "int";
+        case ParamType::Float:
+            return "float";
+        case ParamType::Vec3:
+            return "vec3";
+        case ParamType::Bool:
+            return "bool";
+        default:
+            return "int";
     }
+}
+
+/// A float literal from its bits.
+std::string glslNumber(std::uint32_t word) {
+    float value;
+    static_assert(sizeof value == sizeof word);
+    std::memcpy(&value, &word, sizeof value);
+    std::string text = formatNumber(double(value));
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
 }
 
 /// Offset of each Uniform field under std140: scalars on 4 bytes, vec3 on 16, and the next free byte after vec3 at 12.
@@ -96,7 +122,8 @@ const ParamField& ParamTable::find(const std::string& key, const std::string& ow
         keys.push_back(field.info.key);
     }
     if (keys.empty())
-        throw Error(ErrorCode::Usage, fmt::format("{} has no parameter '{}'", owner, key), "it has no parameters at all");
+        throw Error(ErrorCode::Usage, fmt::format("{} has no parameter '{}'", owner, key),
+                    "it has no parameters at all");
     throw unknownName("parameter of " + owner, key, keys);
 }
 
@@ -162,7 +189,8 @@ ParamValue ParamTable::parse(const ParamInfo& info, const std::string& text, con
         case ParamType::Float:
             if (parseDouble(text, number)) return check(info, number, owner);
             break;
-        case ParamType::Enum: return check(info, text, owner);
+        case ParamType::Enum:
+            return check(info, text, owner);
         case ParamType::Vec3: {
             if (text.size() < 2 || text.front() != '(' || text.back() != ')') break;
             const auto parts = split(std::string_view(text).substr(1, text.size() - 2), ';');
@@ -199,11 +227,10 @@ std::vector<std::pair<std::string, std::string>> ParamTable::glslDefines(const v
             defines.emplace_back(name + "_" + upperIdentifierOf(field.info.choices[i]), std::to_string(i));
         const auto words = field.words(params);
         if (field.info.type == ParamType::Float) {
-            float value;
-            std::memcpy(&value, words.data(), sizeof value);
-            std::string text = formatNumber(double(value));
-            if (text.find_first_of(".e") == std::string::npos) text += ".0";
-            defines.emplace_back(name, text);
+            defines.emplace_back(name, glslNumber(words[0]));
+        } else if (field.info.type == ParamType::Vec3) {
+            defines.emplace_back(name, fmt::format("vec3({}, {}, {})", glslNumber(words[0]), glslNumber(words[1]),
+                                                   glslNumber(words[2])));
         } else {
             defines.emplace_back(name, std::to_string(std::int32_t(words[0])));
         }

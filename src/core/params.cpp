@@ -1,9 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <ombrage/params.h>
 
+#include <charconv>
+
 #include "core/strings.h"
 
 namespace ombrage {
+
+namespace {
+
+/// Shortest text that reads back as the same float, C locale.
+std::string shortest(float value) {
+    char buffer[64];
+    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value);
+    return std::string(buffer, result.ptr);
+}
+
+}  // namespace
 
 std::string toString(const ParamValue& value) {
     struct Visitor {
@@ -12,7 +25,7 @@ std::string toString(const ParamValue& value) {
         std::string operator()(double v) const { return formatNumber(v); }
         std::string operator()(const std::string& v) const { return v; }
         std::string operator()(const Vec3Value& v) const {
-            return "(" + formatNumber(double(v.x)) + ";" + formatNumber(double(v.y)) + ";" + formatNumber(double(v.z)) + ")";
+            return "(" + shortest(v.x) + ";" + shortest(v.y) + ";" + shortest(v.z) + ")";
         }
     };
     return std::visit(Visitor{}, value);

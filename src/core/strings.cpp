@@ -44,7 +44,7 @@ namespace {
 
 template <typename T>
 bool parseWhole(std::string_view text, T& value) {
-    if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+    if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     const char* end = text.data() + text.size();
     T parsed{};
     const auto result = std::from_chars(text.data(), end, parsed);

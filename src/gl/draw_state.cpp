@@ -16,9 +16,6 @@ void setEnabled(GLenum capability, bool enabled) {
         glEnable(capability);
     else
         glDisable(capability);
-    if (epoxy_has_gl_extension("GL_EXT_depth_bounds_test")) glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
-    // A sampler object on a unit would override the sampling state of every texture there.
-    glBindSamplers(0, GLsizei(kGuardedTextureUnits), nullptr);
 }
 
 void applyStencilFace(GLenum face, const DrawState::StencilFace& state) {
@@ -77,6 +74,9 @@ void beginFrameState() {
           GL_RASTERIZER_DISCARD, GL_COLOR_LOGIC_OP, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE,
           GL_SAMPLE_COVERAGE, GL_SAMPLE_MASK, GL_SAMPLE_SHADING, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH})
         glDisable(capability);
+    if (epoxy_has_gl_extension("GL_EXT_depth_bounds_test")) glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
+    // A sampler object on a unit would override the sampling state of every texture there.
+    glBindSamplers(0, GLsizei(kGuardedTextureUnits), nullptr);
 }
 
 void drawFullscreen() {

@@ -43,7 +43,12 @@ Image readColor(const gl::Texture& texture, const std::vector<std::string>& plan
     std::vector<float> values(std::size_t(width) * std::size_t(height) * 4);
     texture.download(0, layer, GL_RGBA, GL_FLOAT, values.size() * sizeof(float), values.data());
     flipRows(values, width, height, 4);
-    return planar(values, width, height, 4, planes, space);
+    Image image = planar(values, width, height, 4, planes, space);
+    // Downloads give the stored bytes; shaders see them decoded, alpha apart.
+    if (texture.desc().format == GL_SRGB8_ALPHA8)
+        for (int c = 0; c < std::min(image.planeCount(), 3); ++c)
+            for (float& value : image.plane(c)) value = linearFromSrgb(value);
+    return image;
 }
 
 Image readDepth(const gl::Texture& texture, int layer) {

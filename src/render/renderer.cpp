@@ -179,6 +179,9 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
         const Image& first = result.visibility.empty() ? *result.ao : result.visibility.begin()->second;
         return ShownImage{first, first};
     });
+    for (const auto& [index, image] : result.visibility)
+        if (index != result.visibility.begin()->first)
+            offer("visibility@" + frame.scene->lights[std::size_t(index)].name, [&] { return ShownImage{image, image}; });
     offer("ao", [&] { return ShownImage{*result.ao, *result.ao}; });
     offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color); });
     for (const PassInfo& view : standardGBufferViews())
@@ -204,7 +207,10 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         slots.invalidate();
     }
 
+    // An error in the middle of the last call may have left anything here.
     recorder.warnings = request.warnings;
+    recorder.suffix.clear();
+    recorder.blocks.clear();
     recorder.shown.clear();
     recorder.wanted = std::set<std::string>(settings.show.begin(), settings.show.end());
     recorder.wantsAll = recorder.wanted.count("all") > 0;

@@ -70,7 +70,8 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
         throw Error(ErrorCode::Usage, fmt::format("a picture of {} x {} pixels", settings.width, settings.height),
                     fmt::format("width and height lie between 1 and {}", kLargest));
     if (settings.frames < 1 || settings.warmupFrames < 0)
-        throw Error(ErrorCode::Usage, fmt::format("{} frames", settings.frames), "render at least one");
+        throw Error(ErrorCode::Usage, fmt::format("{} frames after {} to warm up", settings.frames, settings.warmupFrames),
+                    "render at least one, after none or more");
     if (settings.overlayOpacity < 0 || settings.overlayOpacity > 1)
         throw Error(ErrorCode::Usage, fmt::format("an overlay opacity of {}", settings.overlayOpacity), "it lies between 0 and 1");
 
@@ -92,20 +93,24 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
         if (settings.givenVisibility.count(light) == 0) checkLight(scene.lights[std::size_t(light)], settings, request);
     }
     for (const char* place : {"ao", "indirect", "aa"}) request.places.emplace_back(place);
-    for (const auto& [light, image] : settings.givenVisibility)
+    for (const auto& [light, image] : settings.givenVisibility) {
+        if (light < 0 || std::size_t(light) >= scene.lights.size())
+            throw Error(ErrorCode::Usage, fmt::format("visibility is given for light {}", light),
+                        fmt::format("the scene has {} lights, counted from 0", scene.lights.size()));
         if (image.width() != settings.width || image.height() != settings.height || image.planeCount() < 1)
             throw Error(ErrorCode::Usage, fmt::format("the visibility given for light {} has another size than the picture", light));
+    }
     for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
         for (const TechniqueSpec& spec : *pipeline)
             request.needsStencil = request.needsStencil || techniqueEntry(spec.id).traits.needsStencil;
 
-    // A light beyond the first shows its intermediates as NAME@LIGHT.
-    std::vector<std::string> names{"all"};
-    for (const PassInfo& pass : showNamesOf(settings)) {
-        names.push_back(pass.name);
-        for (std::size_t i = 1; i < request.lights.size(); ++i)
-            names.push_back(pass.name + "@" + scene.lights[std::size_t(request.lights[i])].name);
-    }
+    // A light beyond the first shows its visibility and its intermediates as NAME@LIGHT.
+    std::vector<std::string> names{"all"}, perLight{"visibility"};
+    for (const PassInfo& pass : showNamesOf(settings)) names.push_back(pass.name);
+    for (const TechniqueSpec& spec : settings.shadow)
+        for (const PassInfo& pass : techniqueEntry(spec.id).traits.passes) perLight.push_back(pass.name);
+    for (std::size_t i = 1; i < request.lights.size(); ++i)
+        for (const std::string& name : perLight) names.push_back(name + "@" + scene.lights[std::size_t(request.lights[i])].name);
     for (const std::string& wanted : settings.show)
         if (std::find(names.begin(), names.end(), wanted) == names.end()) throw unknownName("picture to show", wanted, names);
     return request;

@@ -11,9 +11,12 @@ const std::vector<std::unique_ptr<Technique>>& TechniqueSlots::get(const std::st
                                                                    FrameContext& frame) {
     Place& slot = m_places[place];
     if (slot.techniques.empty() || slot.pipeline != pipeline) {
-        slot.pipeline = pipeline;
+        // Made whole or not at all: a wrong parameter leaves the place empty, not half filled.
         slot.techniques.clear();
-        for (const TechniqueSpec& spec : pipeline) slot.techniques.push_back(createTechnique(spec));
+        std::vector<std::unique_ptr<Technique>> made;
+        for (const TechniqueSpec& spec : pipeline) made.push_back(createTechnique(spec));
+        slot.pipeline = pipeline;
+        slot.techniques = std::move(made);
         slot.generation = 0;
     }
     if (slot.generation != m_generation) {

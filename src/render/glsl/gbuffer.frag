@@ -44,14 +44,13 @@ void main() {
     if (dot(n_g, toEye) < 0.0) n_g = -n_g;
     vec3 n_s = normalize(v_normal);
     bool turned = dot(n_s, n_g) < 0.0;
-    if (turned) n_s = -n_s;
 
 #if NORMALS > 0
-    // A frame about n_s; degenerate tangents leave the normal alone.
+    // A frame about the front's normal; degenerate tangents leave the normal alone.
     vec3 t = v_tangent.xyz - n_s * dot(n_s, v_tangent.xyz);
     if (dot(t, t) > 1e-12) {
         t = normalize(t);
-        vec3 b = cross(n_s, t) * (v_tangent.w < 0.0 ? -1.0 : 1.0) * (turned ? -1.0 : 1.0);
+        vec3 b = cross(n_s, t) * (v_tangent.w < 0.0 ? -1.0 : 1.0);
 #if NORMALS == 2
         if ((m.textures.x & 2u) != 0u) {
             vec3 mapped = texture(t_normalMap, v_uv).xyz * 2.0 - 1.0;
@@ -64,6 +63,8 @@ void main() {
         }
     }
 #endif
+    // The back has the reversed normal, as glTF 2 asks: what is a bump in front is a dent behind.
+    if (turned) n_s = -n_s;
 
     vec4 base = m.baseColor;
     if ((m.textures.x & 1u) != 0u) base *= texture(t_baseColor, v_uv);
