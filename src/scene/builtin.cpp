@@ -38,6 +38,9 @@ const std::vector<Entry>& entries() {
         {{"open-mesh",
           "A half tube and a bowl without thickness: no closed volume, so shadow volumes and second-depth maps fail."},
          builtin::openMesh},
+        {{"area-overlap",
+          "Two boards under a lamp with a size: overlapping penumbrae, where blockers cannot be told apart."},
+         builtin::areaOverlap},
     };
     return all;
 }

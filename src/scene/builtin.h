@@ -22,6 +22,7 @@ Scene inShadow();
 Scene twoCasters();
 Scene room();
 Scene openMesh();
+Scene areaOverlap();
 // Occlusion and whole scenes (builtin_occlusion.cpp).
 Scene menger();
 Scene cornell();

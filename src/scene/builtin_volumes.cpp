@@ -74,4 +74,20 @@ Scene openMesh() {
         .finish(0.5f);
 }
 
+Scene areaOverlap() {
+    // Two boards at different heights under a lamp of 0.6 m: their penumbrae overlap on the floor.
+    Scene scene =
+        SceneBuilder("area-overlap")
+            .object("floor", shapes::floor(8.0f), kStone)
+            .object("high board", shapes::box({-0.55f, 1.6f, -0.5f}, {0.55f, 1.65f, 0.5f}), kClay, {-0.35, 0.0, 0.0})
+            .object("low board", shapes::box({-0.4f, 0.7f, -0.5f}, {0.4f, 0.75f, 0.5f}), kSea, {0.5, 0.0, -0.2})
+            .point("lamp", {0.3, 4.0, 0.1}, 40.0f)
+            .camera("main", {2.6, 2.4, 3.8}, {0.0, 0.4, 0.0})
+            .camera("left", {-3.6, 1.8, 2.0}, {0.0, 0.3, 0.0})
+            .camera("top", {-1.2, 3.4, -3.0}, {0.0, 0.0, 0.1})
+            .finish(0.5f);
+    scene.lights[0].radius_m = 0.3f;
+    return scene;
+}
+
 }  // namespace ombrage::builtin

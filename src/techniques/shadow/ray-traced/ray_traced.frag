@@ -37,7 +37,8 @@ bool isAsked(RayOrigin o, LightSample centre) {
     // No part is farther from the centre than this (a sun: at distance 1).
     float reach_m = type == LIGHT_RECT ? light.tangent.w + light.bitangent.w : light.cone.z;
     float height = dot(centre.direction, o.n_g) * (type == LIGHT_SUN ? 1.0 : centre.distance_m);
-    if (height + reach_m <= 0.0) return false;
+    // Rounding asks rather than leaves a pixel lit whose last bit of light is on the horizon.
+    if (height < -1.0001 * reach_m - 1e-5) return false;
     if (type == LIGHT_RECT) return centre.facing;
     if (type == LIGHT_SPOT) {
         // The disk's rim may still shine where its centre does not.
