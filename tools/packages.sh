@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Sourced by ./demo and ./check: installs the Debian packages that are missing. Sets nothing but functions.
 
-OMBRAGE_BUILD_PACKAGES="g++ cmake ninja-build pkg-config libegl1 libegl-dev libgl1-mesa-dri libepoxy-dev libglm-dev libassimp-dev \
+OMBRAGE_BUILD_PACKAGES="g++ cmake ninja-build pkg-config libegl1 libegl-dev libopengl0 libgl1-mesa-dri libepoxy-dev libglm-dev libassimp-dev \
 libembree-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev libopenexr-dev libgtest-dev"
 OMBRAGE_TEST_PACKAGES="clang chromium ccache"
 
