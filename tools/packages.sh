@@ -33,9 +33,11 @@ ombrage_install() {
   fi
 }
 
-# ombrage_build PRESET: configures and builds.
+# ombrage_build PRESET [TARGET...]: configures and builds, everything or the targets.
 ombrage_build() {
   cmake --preset "$1" >"build-$1.log" 2>&1 || { cat "build-$1.log" >&2; exit 4; }
   rm -f "build-$1.log"
-  cmake --build --preset "$1"
+  local preset="$1"
+  shift
+  cmake --build --preset "$preset" ${1:+--target "$@"}
 }
