@@ -42,11 +42,12 @@ AoTruth Reference::ao(const Receivers& receivers, const Camera&, const Reference
     t.standardError.assign(receivers.triangle.size(), 0.0f);
     t.mask.assign(receivers.triangle.size(), Mask::Sky);
 
+    const double inset_m = m_impl->rays.positionError_m(0);
     parallelRows(receivers.height, options, [&](int y) {
         for (int x = 0; x < receivers.width; ++x) {
             const std::size_t i = std::size_t(y) * std::size_t(receivers.width) + std::size_t(x);
             if (receivers.triangle[i] == kNoHit) continue;
-            const Estimate e = openSky(m_impl->rays, surfacePoint(m_impl->flat, receivers, i), radius_m, samples,
+            const Estimate e = openSky(m_impl->rays, surfacePoint(m_impl->flat, receivers, i, inset_m), radius_m, samples,
                                        pointSeed(options.seed, 0, std::uint32_t(i)));
             t.mask[i] = Mask::Valid;
             t.visibility[i] = float(e.mean);

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "reference/test_scenes.h"
+#include "scene/flat_scene.h"
 
 namespace ombrage {
 namespace {
@@ -130,6 +131,38 @@ TEST(AmbientTruth, PictureOfAFloorBesideAWall) {
         // 1e-6: the float that holds the visibility.
         test::expectClosedForm(column, 1 - (std::acos(c) - c * std::sqrt(1 - c * c)) / kPi, 1e-6);
     }
+}
+
+// On the crease itself the question has two answers; the receiver's own side gives 1/2, never the open sky that a ray
+// finds which starts behind the wall. Four points of the crease, 1024 rays each, and a wall as wide as the radius.
+TEST(AmbientTruth, APointOnTheCreaseSeesHalf) {
+    Scene scene;
+    test::add(scene, test::slab(0, 3, 8, 0.1f));
+    test::add(scene, shapes::rectangle({0, 8, 0.1f}, {0, -16, 0}, {0, 0, 4}));
+    scene.cameras.push_back(test::camera({2, 0, 2}, {0, 0, 0}));
+    scene.aoRadius_m = 1;
+    const Reference reference(scene);
+    Receivers r = reference.receivers(scene.cameras[0], test::picture(4, 1));
+    const FlatScene flat = flatten(scene);
+    for (std::size_t i = 0; i < 4; ++i) {
+        // The floor's triangle that has the crease as an edge, and a point of that edge.
+        r.instance[i] = 0;
+        r.normal[i] = r.shadingNormal[i] = glm::vec3(0, 0, 1);
+        for (std::uint32_t t = 0; t < 2; ++t) {
+            std::vector<int> onCrease;
+            for (int k = 0; k < 3; ++k)
+                if (std::abs(flat.positions[flat.triangles[t][k]].x + float(flat.origin.x)) < 1e-6f)
+                    onCrease.push_back(k);
+            if (onCrease.size() != 2) continue;
+            glm::vec3 w(0.0f);
+            w[onCrease[0]] = 0.3f + 0.1f * float(i);
+            w[onCrease[1]] = 1 - w[onCrease[0]];
+            r.triangle[i] = t;
+            r.barycentric[i] = {w.y, w.z};
+        }
+    }
+    const AoTruth truth = reference.ao(r, scene.cameras[0], test::picture(4, 1, 1024));
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(truth.visibility[i], 0.5f, 3 * truth.standardError[i] + 1e-3f) << i;
 }
 
 TEST(AmbientTruth, DirectionsBelowTheGeometricHorizonAreBlocked) {

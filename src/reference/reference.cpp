@@ -24,14 +24,30 @@ double maskedShareOf(const std::vector<Mask>& mask) {
 Reference::Reference(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
 Reference::~Reference() = default;
 
-SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index) {
+namespace {
+
+/// Barycentric weights moved at least `inset_m` inside the triangle (to its middle when it is smaller than that).
+glm::dvec3 insetWeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, glm::dvec2 uv, double inset_m) {
+    const double doubleArea = glm::length(glm::cross(b - a, c - a));
+    const glm::dvec3 edges(glm::length(c - b), glm::length(c - a), glm::length(b - a));
+    glm::dvec3 weights(1 - uv.x - uv.y, uv.x, uv.y);
+    // A weight is the distance to the opposite edge over the height on it.
+    for (int i = 0; i < 3; ++i)
+        weights[i] =
+            std::max(weights[i], doubleArea > 0 ? std::min(inset_m * edges[i] / doubleArea, 1.0 / 3) : 1.0 / 3);
+    return weights / (weights.x + weights.y + weights.z);
+}
+
+}  // namespace
+
+SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index, double inset_m) {
     SurfacePoint p;
     p.triangle = receivers.triangle[index];
     p.instance = receivers.instance[index];
     const glm::uvec3 t = flat.triangles[p.triangle];
     const glm::dvec3 a(flat.positions[t.x]), b(flat.positions[t.y]), c(flat.positions[t.z]);
-    const glm::dvec2 uv(receivers.barycentric[index]);
-    p.position = a + (b - a) * uv.x + (c - a) * uv.y;
+    const glm::dvec3 w = insetWeights(a, b, c, glm::dvec2(receivers.barycentric[index]), inset_m);
+    p.position = w.x * a + w.y * b + w.z * c;
 
     // The stored normal tells the side; the triangle gives it in full precision.
     const glm::dvec3 stored(receivers.normal[index]);

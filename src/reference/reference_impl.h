@@ -32,8 +32,9 @@ struct SurfacePoint {
     std::uint32_t instance = kNoHit;
 };
 
-/// The receiver of pixel `index`, its position from the barycentrics in double.
-SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index);
+/// The receiver of pixel `index`, its position from the barycentrics in double, kept `inset_m` away from its triangle's
+/// edges: a point on the very crease of two walls has no answer, the limit from its own side has.
+SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index, double inset_m);
 
 /// Truth of one light at one point.
 struct LightTruth {

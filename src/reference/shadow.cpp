@@ -116,11 +116,12 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
     t.samplesPerPixel = t.soft ? samples * kScramblings : 1;
     resize(t, receivers.triangle.size());
 
+    const double inset_m = m_impl->rays.positionError_m(0);
     parallelRows(receivers.height, options, [&](int y) {
         for (int x = 0; x < receivers.width; ++x) {
             const std::size_t i = std::size_t(y) * std::size_t(receivers.width) + std::size_t(x);
             if (receivers.triangle[i] == kNoHit) continue;
-            const SurfacePoint point = surfacePoint(flat, receivers, i);
+            const SurfacePoint point = surfacePoint(flat, receivers, i, inset_m);
             const LightSample centre = shape.centre(point.position);
             t.cosine[i] = float(glm::dot(centre.direction, point.normal));
             t.lightDistance_m[i] = float(centre.distance_m);
