@@ -19,6 +19,7 @@ struct RayOrigin {
     vec3 p_world;
     vec3 n_g;     // unit, on the side seen
     uint slot;    // of the triangle it lies on, which no ray from here can hit
+    bool isReal;  // false where the triangle has no area, and in lanes that no one sees, where llvmpipe reads 0 from storage
 };
 
 vec3 bvhCorner(uint slot, uint corner) { return uintBitsToFloat(b_bvhTriangles[3u * slot + corner].xyz); }
@@ -37,6 +38,7 @@ RayOrigin rayOriginOfPixel(ivec2 px, uint triangle) {
     if (isOrthographic()) start += aside;
     else direction += aside;
 
+    o.isReal = dot(n, n) > 0.0;
     double facing = dot(n, direction);
     o.exact = facing == 0.0 ? a : start + direction * (dot(n, a - start) / facing);
     o.p_world = vec3(o.exact);
@@ -101,13 +103,13 @@ bool occluded(RayOrigin o, vec3 d, float tMax) {
     // Components of 0 would give 0 * infinity on a box's face.
     vec3 safe = mix(d, vec3(1e-20), lessThan(abs(d), vec3(1e-20)));
     vec3 inverse = 1.0 / safe;
-    uint i = 0u;
+    // A walk through nodes of 0 would never end: nothing is asked where the origin is not real.
+    uint i = o.isReal ? 0u : u_bvhNodeCount;
     while (i < u_bvhNodeCount) {
         // Down to the next leaf first, so that neighbouring rays test triangles together (Aila and Laine 2009, "while-while";
-        // with one loop llvmpipe took twice as long). Only a few steps at a time: without a bound, Mesa 22.3.6 loses rays here.
+        // with one loop llvmpipe took twice as long).
         uint leaf = 0u;
-        for (int step = 0; step < 16 && leaf == 0u; ++step) {
-            if (i >= u_bvhNodeCount) break;
+        while (leaf == 0u && i < u_bvhNodeCount) {
             uvec4 lower = b_bvhNodes[2u * i], upper = b_bvhNodes[2u * i + 1u];
             vec3 t0 = (uintBitsToFloat(lower.xyz) - o.p_world) * inverse, t1 = (uintBitsToFloat(upper.xyz) - o.p_world) * inverse;
             vec3 entry = min(t0, t1), leave = max(t0, t1);

@@ -43,9 +43,8 @@ struct RayTracedParams {
     }
 };
 
-/// Short draws: a driver's watchdog ends long ones, and llvmpipe ends a shader's loops after 65535 rounds (64 samples
-/// in one draw left 0.1 % of the pixels with the first 21 alone).
-constexpr int kSamplesPerDraw = 8;
+/// Draws end before a driver's watchdog ends them.
+constexpr int kSamplesPerDraw = 32;
 
 /// Counts the pixels that a draw writes.
 class PixelQuery {

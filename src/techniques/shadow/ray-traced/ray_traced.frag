@@ -31,7 +31,7 @@ bool isSeen(RayOrigin o, LightSample s) {
 
 // Whether some part of the light may shine here: in range, inside of the cone, not below the horizon.
 bool isAsked(RayOrigin o, LightSample centre) {
-    if (centre.distance_m > light.direction.w) return false;
+    if (!o.isReal || centre.distance_m > light.direction.w) return false;
     int type = int(light.color.w);
 #ifdef SOFT
     // No part is farther from the centre than this (a sun: at distance 1).
@@ -59,7 +59,7 @@ void main() {
     uint triangle = gbufferIds(px).y;
     bool asked = false;
     o_visibility = 1.0;
-    // Branches instead of an early discard: discarded pixels may run on (llvmpipe's do) and would walk the tree with nonsense.
+    // Branches instead of an early discard: discarded pixels may run on, as llvmpipe's do.
     if (triangle != ~0u) {
         RayOrigin o = rayOriginOfPixel(px, triangle);
         LightSample centre = lightCentre(o.p_world);
