@@ -10,13 +10,14 @@ namespace {
 /// As in ombrage/light.glsl, std140.
 struct LightBlock {
     glm::vec4 position, direction, color, cone, tangent, bitangent;
+    glm::uvec4 exclusion;
 };
 
 constexpr float kNoRange = 1e30f;
 
 }  // namespace
 
-void Composer::bindLight(const LightFrame& frame) {
+void Composer::bindLight(const LightFrame& frame, std::size_t instanceCount) {
     const Light& light = *frame.light;
     const bool isSun = light.type == LightType::Sun;
     LightBlock block;
@@ -27,6 +28,8 @@ void Composer::bindLight(const LightFrame& frame) {
                            isSun ? std::tan(light.angle_rad * 0.5f) : light.radius_m, light.size_m.x * light.size_m.y);
     block.tangent = glm::vec4(lightTangent(light), light.size_m.x * 0.5f);
     block.bitangent = glm::vec4(lightBitangent(light), light.size_m.y * 0.5f);
+    const auto words = std::uint32_t((instanceCount + 31) / 32);
+    block.exclusion = glm::uvec4(std::uint32_t(frame.index) * words, light.excludedModels.empty() ? 0u : 1u, 0u, 0u);
     if (!m_lightBlock) m_lightBlock = gl::Buffer(sizeof block, nullptr, "light block");
     m_lightBlock.upload(0, sizeof block, &block);
     m_lightBlock.bindUniform(kLightBinding);
@@ -59,7 +62,7 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
             program.set("u_hasLight", lights.empty() ? 0 : 1);
             program.set("u_useVisibility", naive ? 0 : 1);
             if (!lights.empty()) {
-                bindLight(lights[i].light);
+                bindLight(lights[i].light, frame.gpuScene->flat().instances.size());
                 lights[i].visibility->bind(5);
             }
             frame.drawFullscreen();

@@ -24,7 +24,7 @@ public:
                                const gl::Texture& ao, const gl::Texture& indirect);
 
     /// Uploads and binds the block of ombrage/light.glsl; techniques' shaders read the same.
-    void bindLight(const LightFrame& light);
+    void bindLight(const LightFrame& light, std::size_t instanceCount);
 
 private:
     TargetPool::Target applyNaively(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,

@@ -33,7 +33,7 @@ struct VertexAttributes {
     glm::vec2 uv;
 };
 
-constexpr GLuint kTriangleNormalStorage = 2;
+constexpr GLuint kTriangleNormalStorage = 2, kExclusionStorage = 7;
 
 glm::vec2 octahedralFromUnit(glm::vec3 n) {
     n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
@@ -117,11 +117,21 @@ void GpuScene::uploadInstances() {
         const glm::dmat3 linear(m_scene->instances[i].worldFromLocal);
         data.push_back({instance.originFromLocal, glm::mat4(glm::mat3(glm::inverseTranspose(linear))),
                         std::uint32_t(instance.material), instance.firstTriangle,
-                        m_meshFirstIndex[std::size_t(instance.mesh)] / 3, instance.mirrored ? 1u : 0u});
+                        m_meshFirstIndex[std::size_t(instance.mesh)] / 3,
+                        (instance.mirrored ? 1u : 0u) | (instance.receives ? 0u : 2u)});
         ids.push_back(std::uint32_t(i));
     }
     m_instances = gl::Buffer::from(data, "scene instances");
     m_instanceIds = gl::Buffer::from(ids, "scene instance ids");
+
+    // One bit per light and instance: the light leaves the instance out.
+    const std::size_t words = (m_flat.instances.size() + 31) / 32;
+    std::vector<std::uint32_t> exclusions(words * m_scene->lights.size(), 0u);
+    for (std::size_t l = 0; l < m_scene->lights.size(); ++l)
+        for (int model : m_scene->lights[l].excludedModels)
+            for (std::size_t i = 0; i < m_flat.instances.size(); ++i)
+                if (m_flat.instances[i].model == model) exclusions[l * words + i / 32] |= 1u << (i % 32);
+    m_exclusions = gl::Buffer::from(exclusions, "light exclusions");
 
     const gl::VertexBinding position{0, m_positions.id(), 0, sizeof(glm::vec3), 0};
     const gl::VertexBinding attribute{1, m_attributes.id(), 0, sizeof(VertexAttributes), 0};
@@ -214,6 +224,7 @@ void GpuScene::bindStorage() const {
     m_instances.bindStorage(kInstanceStorage);
     m_materials.bindStorage(kMaterialStorage);
     m_triangleNormals.bindStorage(kTriangleNormalStorage);
+    m_exclusions.bindStorage(kExclusionStorage);
 }
 
 DrawCounts GpuScene::draw(const DrawFilter& filter, bool positionsOnly) {

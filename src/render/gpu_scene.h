@@ -89,7 +89,7 @@ private:
     void uploadMaterials();
 
     std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
-    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds, m_triangleNormals;
+    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds, m_triangleNormals, m_exclusions;
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     gl::Texture m_white, m_flatNormal;

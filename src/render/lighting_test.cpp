@@ -236,6 +236,23 @@ TEST_F(LightingTest, AmbientModesChangeTheAmbientTermAlone) {
     EXPECT_NEAR(middle(again(settings).picture).x, 3 / kPi, kHalf);
 }
 
+TEST_F(LightingTest, ALightLeavesOutWhatItExcludes) {
+    Scene scene = hand::wallScene(hand::matte(glm::vec3(1)));
+    scene.lights.push_back(hand::sun({0, 0, -1}, 6));
+    scene.lights[0].excludedModels = {0};
+    EXPECT_NEAR(middle(render(scene, small()).picture).x, 6 / kPi, 6 * kHalf) << "the second light alone";
+}
+
+// A given visibility of 0 stands for any technique's shadow.
+TEST_F(LightingTest, AModelThatReceivesNothingStaysLit) {
+    Scene scene = hand::wallScene(hand::matte(glm::vec3(1)));
+    RenderSettings settings = small();
+    settings.givenVisibility[0] = Image::grey(settings.width, settings.height, "visibility");
+    EXPECT_NEAR(middle(render(scene, settings).picture).x, 0.0, 1e-5);
+    scene.models[0].receives = false;
+    EXPECT_NEAR(middle(render(scene, settings).picture).x, 3 / kPi, 3 * kHalf);
+}
+
 TEST_F(LightingTest, AGivenVisibilityReplacesTheTechniques) {
     const Scene scene = loadScene("gap");
     RenderSettings settings;

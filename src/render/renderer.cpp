@@ -107,7 +107,7 @@ TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const Rende
         gl::apply({});
         target.clearColor(0, glm::vec4(1.0f));
     }
-    composer.bindLight(light);
+    composer.bindLight(light, gpuScene->flat().instances.size());
     for (const auto& technique : slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame)) {
         if (technique->entry().family == Family::Shadow)
             static_cast<ShadowTechnique&>(*technique).render(frame, light, *visibility);

@@ -8,7 +8,7 @@ struct InstanceData {
     uint material;
     uint firstTriangle;     // global id of the instance's first triangle
     uint firstMeshTriangle; // of its mesh, into b_triangleNormals
-    uint flags;             // 1: mirrored
+    uint flags;             // 1: mirrored, 2: receives no shadow
 };
 
 struct MaterialData {

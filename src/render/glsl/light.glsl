@@ -14,7 +14,15 @@ layout(std140, binding = LIGHT_BINDING) uniform LightBlock {
     vec4 cone;        // cosine of the inner and the outer half angle; z radius in metres (sun: tangent of half its angle); w area of a rect
     vec4 tangent;     // xyz unit; w half size along it
     vec4 bitangent;   // xyz unit; w half size along it
+    uvec4 exclusion;  // x first word of this light in b_exclusions, y 1 when it excludes anything
 } light;
+
+layout(std430, binding = EXCLUSION_STORAGE) readonly buffer Exclusions { uint b_exclusions[]; };
+
+// Whether the light leaves this instance out: it neither lights nor shades it.
+bool lightExcludes(uint instance) {
+    return light.exclusion.y != 0u && (b_exclusions[light.exclusion.x + instance / 32u] >> (instance % 32u) & 1u) != 0u;
+}
 
 // Unit direction to the light's centre and the distance (huge for a sun).
 vec3 directionToLight(vec3 p_world, out float distance_m) {

@@ -50,8 +50,8 @@ void main() {
     vec4 surface = texelFetch(t_material, px, 0);
 
     vec3 color = vec3(0.0);
-#ifdef FIRST_LIGHT
     uint instance = gbufferIds(px).x;
+#ifdef FIRST_LIGHT
     color = b_materials[b_instances[instance].material].emissive.rgb;
 #if AMBIENT == 0
     color += albedo * u_ambient;
@@ -65,8 +65,9 @@ void main() {
     vec3 l = directionToLight(p_world, distance_m);
     float nl = dot(n_s, l);
     // The geometric horizon shadows whatever the shading normal says, in the truth and here alike.
-    if (u_hasLight != 0 && nl > 0.0 && dot(n_g, l) > 0.0) {
-        float seen = u_useVisibility != 0 ? texelFetch(t_visibility, px, 0).r : 1.0;
+    if (u_hasLight != 0 && nl > 0.0 && dot(n_g, l) > 0.0 && !lightExcludes(instance)) {
+        bool receives = (b_instances[instance].flags & 2u) == 0u;
+        float seen = u_useVisibility != 0 && receives ? texelFetch(t_visibility, px, 0).r : 1.0;
         vec3 irradiance = irradianceFacing(l, distance_m) * nl * seen;
         vec3 v = directionToEye(p_world);
         vec3 h = normalize(l + v);
