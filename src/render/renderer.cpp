@@ -209,6 +209,8 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
 
     // An error in the middle of the last call may have left anything here.
     recorder.warnings = request.warnings;
+    // Shaders of --shader-dir that changed; one that fails to compile keeps its old version and says so.
+    for (const std::string& message : shaders->reload()) recorder.warnings.push_back(message);
     recorder.suffix.clear();
     recorder.blocks.clear();
     recorder.shown.clear();

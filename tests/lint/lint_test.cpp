@@ -117,10 +117,10 @@ TEST(Lint, EveryTechniqueFolderIsWhole) {
         for (const auto& folder : fs::directory_iterator(family)) {
             const std::string name = folder.path().filename().string();
             for (const char* part : {".md", ".tests.json"}) EXPECT_TRUE(fs::exists(folder.path() / (name + part))) << folder.path() << " lacks " << name << part;
-            // The source may be lower_snake, as other source files are.
+            // Sources are lower_snake; what carries the technique's name keeps its hyphens.
             std::string source = name + ".cpp";
             std::replace(source.begin(), source.end(), '-', '_');
-            EXPECT_TRUE(fs::exists(folder.path() / source) || fs::exists(folder.path() / (name + ".cpp"))) << folder.path() << " lacks " << source;
+            EXPECT_TRUE(fs::exists(folder.path() / source)) << folder.path() << " lacks " << source;
         }
     }
 }

@@ -23,7 +23,7 @@ cp -r "$copy" "$work/before"
 
 for id in shadow/zz-dummy ao/zz-dummy; do
   "$copy/tools/new_technique" "$id" >/dev/null
-  file="$copy/src/techniques/$id/zz-dummy"
+  file="$copy/src/techniques/$id/zz_dummy"
   sed -i -e 's|^    float strength = 1.0f;|&\n    float gain = 1.0f;|' \
          -e 's|return fields(|&field(\&P::gain, "gain").range(0, 1).help("A second parameter."),\n                      |' "$file.cpp"
   sed -i -e 's|params.strength|params.strength * params.gain|' "$file.frag"
