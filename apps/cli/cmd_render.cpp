@@ -3,6 +3,8 @@
 #include <ombrage/error.h>
 #include <ombrage/image.h>
 #include <ombrage/version.h>
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
@@ -69,13 +71,21 @@ int runRender(const Options& options) {
 
     const Scene scene = loadScene(sceneName, sceneOptions(options));
     for (const std::string& warning : scene.warnings) printMessage("warning: " + warning);
+    // A scene may say what it is meant for; another choice warns and goes on. Baselines are no choice.
+    for (const TechniqueSpec& spec : settings.shadow)
+        if (options.has("shadow") && !scene.techniques.empty() &&
+            std::find(scene.techniques.begin(), scene.techniques.end(), spec.id) == scene.techniques.end())
+            printMessage(fmt::format("warning: the scene '{}' is not meant for {}", scene.name, spec.id));
     Renderer renderer(rendererOptions(options));
     renderer.setScene(scene);
     if (listing) return showNames(renderer, settings, options.flag("json"));
+    settings.progress = [](double) { return !interrupted(); };
     const RenderResult result = renderer.render(settings);
     for (const std::string& warning : result.warnings) printMessage("warning: " + warning);
     if (interrupted()) throw Error(ErrorCode::Interrupted, "interrupted", "no picture was written");
-    writeImage(file, show == "final" ? result.picture : result.shown.at(show));
+    // An EXR file takes the numbers, a picture file what is fit for looking at.
+    const bool wantsNumbers = std::filesystem::path(file).extension() == ".exr";
+    writeImage(file, show == "final" ? result.picture : (wantsNumbers ? result.shownRaw : result.shown).at(show));
     if (options.flag("json"))
         printResult(resultJson(file, scene, settings, result, renderer.device())
                         .dump(2, ' ', false, Json::error_handler_t::replace) +

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <system_error>
 
 #include "commands.h"
@@ -84,6 +85,7 @@ int runCommandLine(const std::vector<std::string>& arguments) {
         printMessage(app.help());
         return int(ErrorCode::Usage);
     }
+    options[chosen]->refuseEmptyValues();
     options[chosen]->readState();
     const int code = commands[chosen].run(*options[chosen]);
     return interrupted() ? int(ErrorCode::Interrupted) : code;
@@ -125,6 +127,10 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         cli::printError(error);
         return int(error.code());
+    } catch (const std::bad_alloc&) {
+        cli::printError(
+            Error(ErrorCode::Environment, "not enough memory", "ask for a smaller --size or a smaller scene"));
+        return int(ErrorCode::Environment);
     } catch (const std::exception& error) {
         cli::printError(Error(ErrorCode::Environment, error.what()));
         return int(ErrorCode::Environment);

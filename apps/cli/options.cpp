@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -175,13 +176,21 @@ void Options::checkArguments(const std::vector<std::string>& arguments, const st
     }
 }
 
+void Options::refuseEmptyValues() const {
+    for (const auto& [key, given] : m_entries)
+        for (const std::string& value : given->values)
+            if (value.empty())
+                throw Error(ErrorCode::Usage, (given->positional ? key : "--" + key) + " is given an empty text",
+                            "leave it out for its default");
+}
+
 void Options::readState() {
     if (!has("state")) return;
     const std::string file = text("state");
     std::ifstream in(file, std::ios::binary);
     nlohmann::json json;
     try {
-        if (!in) throw Error(ErrorCode::Input, "cannot read the state file '" + file + "'", "", file);
+        if (!in || std::filesystem::is_directory(file)) throw Error(ErrorCode::Input, "cannot read the state file '" + file + "'", "", file);
         json = nlohmann::json::parse(in);
     } catch (const nlohmann::json::exception& e) {
         throw Error(ErrorCode::Input, std::string("the state file is not JSON: ") + e.what(), "", file);

@@ -28,6 +28,9 @@ public:
     /// Declares an option ("--size", or "-o,--output") or a positional ("scene").
     void add(const std::string& names, const std::string& help, Take take = Take::One);
 
+    /// @throws Error(Usage) for an option that is given as "".
+    void refuseEmptyValues() const;
+
     /// Adds what the state file says where the command line says nothing. @throws Error(Input) for unreadable files,
     /// Error(Usage) for keys that this command does not have.
     void readState();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -45,6 +46,8 @@ struct RenderSettings {
     int warmupFrames = 0;
     std::uint64_t seed = 1;
     std::vector<std::string> show;         ///< pictures wanted beside the final one, by name; "all" for every one
+    /// Called before each frame with the share done in [0,1]; returning false ends the call with Error(Interrupted).
+    std::function<bool(double)> progress;
     std::map<int, Image> givenVisibility;  ///< per light index: use this visibility in the shadow pipeline's place
 };
 

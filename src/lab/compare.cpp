@@ -48,6 +48,16 @@ void checkTruthKind(const std::string& kind, const std::vector<ScenePlan>& plans
                             "shadows are held against 'shadow', ambient occlusion against 'T1'");
 }
 
+/// A gate on a technique that is not run would never speak.
+void checkGate(const Gate& gate, const std::vector<ScenePlan>& plans) {
+    if (gate.technique.empty()) return;
+    for (const ScenePlan& plan : plans)
+        for (const PlannedRun& run : plan.runs)
+            if (gate.technique == toString(run.pipeline) || gate.technique == techniqueText(run.pipeline)) return;
+    throw Error(ErrorCode::Usage, "the gate '" + gate.text + "' is about a technique that is not compared",
+                "ask for it with --technique " + gate.technique);
+}
+
 void makeFolder(const std::filesystem::path& folder) {
     if (folder.empty()) throw Error(ErrorCode::Usage, "no folder for the results", "name one with -o DIR");
     std::error_code error;
@@ -92,6 +102,7 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         for (const std::string& warning : plans.back().warnings) warn(warning);
     }
     checkTruthKind(request.truthKind, plans);
+    for (const Gate& gate : request.failOn) checkGate(gate, plans);
     makeFolder(request.outputDir);
 
     Steps steps(request.progress, stepCount);

@@ -31,12 +31,18 @@ struct RayContext {
     float recheckBelow_m;
 };
 
-/// Distance along the ray to the triangle's plane in double precision, from vertices as they are.
-double planeDistance(const FlatScene& flat, std::uint32_t triangle, const Ray& ray) {
+/// Whether the ray meets the triangle farther than `onPlane_m` away, in double precision from vertices as they are.
+bool meetsBeyond(const FlatScene& flat, std::uint32_t triangle, const Ray& ray, double onPlane_m) {
     const glm::uvec3 t = flat.triangles[triangle];
     const glm::dvec3 a(flat.positions[t.x]), b(flat.positions[t.y]), c(flat.positions[t.z]);
     const glm::dvec3 n = glm::cross(b - a, c - a);
-    return glm::dot(n, a - ray.origin) / glm::dot(n, ray.direction);
+    const double distance_m = glm::dot(n, a - ray.origin) / glm::dot(n, ray.direction);
+    if (!(distance_m > onPlane_m)) return false;
+    // Inside to a billionth of its heights: beside a convex edge the neighbour's plane is met outside the neighbour.
+    const glm::dvec3 p = ray.origin + ray.direction * distance_m;
+    const double least = std::min({glm::dot(n, glm::cross(c - b, p - b)), glm::dot(n, glm::cross(a - c, p - c)),
+                                   glm::dot(n, glm::cross(b - a, p - a))});
+    return least >= -1e-9 * glm::dot(n, n);
 }
 
 /// Takes one hit away from the ray when it does not count.
@@ -66,10 +72,10 @@ void filterHit(const RTCFilterFunctionNArguments* args) {
     }
 
     // The float origin may lie a rounding error behind its surface and then meets the neighbours in the same plane.
-    // The plane's distance in double tells them from a true blocker, however near that is.
+    // A second look in double tells them from a true blocker, however near that is.
     if (RTCRayN_tfar(args->ray, args->N, 0) < context.recheckBelow_m) {
         const double onPlane = double(context.recheckBelow_m) * 1e-9;
-        if (planeDistance(flat, triangle, *context.ray) <= onPlane) args->valid[0] = 0;
+        if (!meetsBeyond(flat, triangle, *context.ray, onPlane)) args->valid[0] = 0;
     }
 }
 

@@ -47,7 +47,8 @@ SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std
     const glm::uvec3 t = flat.triangles[p.triangle];
     const glm::dvec3 a(flat.positions[t.x]), b(flat.positions[t.y]), c(flat.positions[t.z]);
     const glm::dvec3 w = insetWeights(a, b, c, glm::dvec2(receivers.barycentric[index]), inset_m);
-    p.position = w.x * a + w.y * b + w.z * c;
+    // In this form a level plane keeps its exact height, which grazing rays along it need.
+    p.position = a + (b - a) * w.y + (c - a) * w.z;
 
     // The stored normal tells the side; the triangle gives it in full precision.
     const glm::dvec3 stored(receivers.normal[index]);

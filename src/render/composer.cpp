@@ -35,8 +35,9 @@ void Composer::bindLight(const LightFrame& frame, std::size_t instanceCount) {
     m_lightBlock.bindUniform(kLightBinding);
 }
 
-TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
-                                     const gl::Texture& ao, const gl::Texture& indirect) {
+TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& settings,
+                                     const std::vector<LitLight>& lights, const gl::Texture& ao,
+                                     const gl::Texture& indirect) {
     const bool naive = settings.composite != Composite::Lighting && !lights.empty();
     auto color = frame.targets->take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "color");
     {
@@ -54,7 +55,8 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
                 {"SHADING", std::to_string(int(settings.shading))}, {"AMBIENT", std::to_string(int(settings.ambient))}};
             if (i == 0) defines.emplace_back("FIRST_LIGHT", "1");
             const gl::Program& program = frame.program(
-                {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}}, std::move(defines));
+                {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}},
+                std::move(defines));
             gl::DrawState state;
             state.blend = i > 0;
             gl::apply(state);
@@ -71,8 +73,8 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
     return naive ? applyNaively(frame, settings, lights, color) : color;
 }
 
-TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
-                                          const TargetPool::Target& unshadowed) {
+TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSettings& settings,
+                                          const std::vector<LitLight>& lights, const TargetPool::Target& unshadowed) {
     const auto pass = frame.pass("naive composite");
     const gl::TextureDesc half{.format = GL_R16F, .width = frame.width, .height = frame.height};
     const auto factor = frame.targets->take(half, "shadow factor");

@@ -136,8 +136,8 @@ void GpuScene::uploadInstances() {
     const gl::VertexBinding position{0, m_positions.id(), 0, sizeof(glm::vec3), 0};
     const gl::VertexBinding attribute{1, m_attributes.id(), 0, sizeof(VertexAttributes), 0};
     const gl::VertexBinding instanceId{2, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1};
-    m_positionArray =
-        gl::VertexArray({position, instanceId}, {{0, 3, GL_FLOAT, 0, 0}, {4, 1, GL_UNSIGNED_INT, 0, 2}}, m_indices.id());
+    m_positionArray = gl::VertexArray({position, instanceId}, {{0, 3, GL_FLOAT, 0, 0}, {4, 1, GL_UNSIGNED_INT, 0, 2}},
+                                      m_indices.id());
     m_fullArray = gl::VertexArray({position, attribute, instanceId},
                                   {{0, 3, GL_FLOAT, 0, 0},
                                    {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
@@ -205,7 +205,8 @@ const std::vector<GpuScene::Batch>& GpuScene::batches(const DrawFilter& filter) 
         std::array<int, 5> key{-1, -1, -1, -1, -1};
         if (filter.alpha == DrawFilter::Alpha::MaskedOnly) key[0] = material.baseColorTexture;
         if (!filter.castersOnly) key = textureSet(material);
-        groups[key].push_back({instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
+        groups[key].push_back(
+            {instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
     }
 
     std::vector<Batch> made;
@@ -242,8 +243,8 @@ DrawCounts GpuScene::draw(const DrawFilter& filter, bool positionsOnly) {
 }
 
 std::uint64_t GpuScene::gpuBytes() const {
-    std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() + m_materials.size() +
-                          m_triangleNormals.size();
+    std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() +
+                          m_materials.size() + m_triangleNormals.size();
     for (const gl::Texture& texture : m_textures) bytes += gl::byteSize(texture.desc());
     return bytes;
 }

@@ -2,6 +2,7 @@
 #include <ombrage/renderer.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 #include <ombrage/error.h>
@@ -35,7 +36,7 @@ struct Renderer::Impl {
     FrameContext::Recorder recorder;
     std::unique_ptr<GpuScene> gpuScene;
     const Scene* scene = nullptr;
-    Scene moved;                     ///< the scene at the requested time, when it is animated
+    Scene moved;  ///< the scene at the requested time, when it is animated
     std::unique_ptr<GBuffer> gbuffer;
     GeometryPass geometry;
     Composer composer;
@@ -55,19 +56,41 @@ struct Renderer::Impl {
     RenderResult render(const RenderSettings& settings);
 };
 
+namespace {
+
+/// @throws Error(Usage) for a shader directory without a single shader: a wrong path would silently change nothing.
+const std::string& checkedShaderDir(const std::string& directory) {
+    if (directory.empty()) return directory;
+    const std::filesystem::path root(directory);
+    const auto paths = gl::ShaderLibrary::embeddedPaths();
+    const bool hasShaders =
+        std::filesystem::is_directory(root / "render/glsl") ||
+        std::any_of(paths.begin(), paths.end(), [&](const auto& path) { return std::filesystem::exists(root / path); });
+    if (!hasShaders)
+        throw Error(ErrorCode::Usage, fmt::format("the shader directory '{}' holds no shader", directory),
+                    fmt::format("files lie in it by their paths, such as {}", paths.front()));
+    return directory;
+}
+
+}  // namespace
+
 Renderer::Impl::Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options)
     : context(std::move(made)),
       timer(std::make_unique<gl::GpuTimer>()),
-      shaders(std::make_unique<gl::ShaderLibrary>(options.shaderDir)) {
-    device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(), gl::clockName(timer->clock())};
+      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir))) {
+    device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(),
+              gl::clockName(timer->clock())};
     recorder.timer = timer.get();
     for (const std::string& warning : context->warnings()) warn(warning);
 }
 
-Renderer::Impl::~Impl() { context->makeCurrent(); }
+Renderer::Impl::~Impl() {
+    context->makeCurrent();
+}
 
 void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
-    if (!gbuffer || gbuffer->framebuffer.width() != settings.width || gbuffer->framebuffer.height() != settings.height ||
+    if (!gbuffer || gbuffer->framebuffer.width() != settings.width ||
+        gbuffer->framebuffer.height() != settings.height ||
         (gbuffer->depth.desc().format == GL_DEPTH32F_STENCIL8) != request.needsStencil) {
         gbuffer = GeometryPass::makeGBuffer(settings.width, settings.height, request.needsStencil);
         targets.trim();
@@ -87,13 +110,15 @@ void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& set
     frame.recorder = &recorder;
 }
 
-TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input) {
+TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& filter,
+                                               const TargetPool::Target& input) {
     auto output = targets.take(input->desc(), "filtered");
     static_cast<FilterTechnique&>(filter).render(frame, *input, *output);
     return output;
 }
 
-TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light) {
+TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings,
+                                                const LightFrame& light) {
     auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
     const auto given = settings.givenVisibility.find(light.index);
     if (given != settings.givenVisibility.end()) {
@@ -132,7 +157,8 @@ TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline&
     return visibility;
 }
 
-FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
+FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettings& settings,
+                                         const RenderRequest& request) {
     FrameTargets produced;
     gl::beginFrameState();
     geometry.uploadFrameBlock(frame);
@@ -181,7 +207,9 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
     });
     for (const auto& [index, image] : result.visibility)
         if (index != result.visibility.begin()->first)
-            offer("visibility@" + frame.scene->lights[std::size_t(index)].name, [&] { return ShownImage{image, image}; });
+            offer("visibility@" + frame.scene->lights[std::size_t(index)].name, [&] {
+                return ShownImage{image, image};
+            });
     offer("ao", [&] { return ShownImage{*result.ao, *result.ao}; });
     offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color); });
     for (const PassInfo& view : standardGBufferViews())
@@ -228,6 +256,8 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     timer->take();
     const int frames = settings.warmupFrames + settings.frames;
     for (int i = 0; i < frames; ++i) {
+        if (settings.progress && !settings.progress(double(i) / frames))
+            throw Error(ErrorCode::Interrupted, "interrupted", fmt::format("after {} of {} frames", i, frames));
         recorder.capturing = i == frames - 1;
         recorder.passes.clear();
         recorder.counters.clear();
@@ -271,7 +301,8 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     for (int index : request.lights)
         if (settings.givenVisibility.count(index) == 0)
             for (const auto& technique : slots.get(fmt::format("shadow {}", index), settings.shadow, frame))
-                if (technique->entry().family == Family::Shadow && !static_cast<ShadowTechnique&>(*technique).refinesInput())
+                if (technique->entry().family == Family::Shadow &&
+                    !static_cast<ShadowTechnique&>(*technique).refinesInput())
                     result.footprint[index] = static_cast<ShadowTechnique&>(*technique).footprint();
     result.warnings = recorder.warnings;
     result.debugMessages = context->takeDebugMessages();
@@ -308,8 +339,12 @@ RenderResult Renderer::render(const RenderSettings& settings) {
     return m_impl->render(settings);
 }
 
-const DeviceInfo& Renderer::device() const { return m_impl->device; }
+const DeviceInfo& Renderer::device() const {
+    return m_impl->device;
+}
 
-std::vector<PassInfo> Renderer::showNames(const RenderSettings& settings) const { return showNamesOf(settings); }
+std::vector<PassInfo> Renderer::showNames(const RenderSettings& settings) const {
+    return showNamesOf(settings);
+}
 
 }  // namespace ombrage

@@ -16,15 +16,20 @@ namespace {
 
 bool supports(const Domain& domain, LightType type) {
     switch (type) {
-        case LightType::Sun: return domain.sun;
-        case LightType::Spot: return domain.spot;
-        case LightType::Point: return domain.point;
-        case LightType::Rect: return domain.rect;
+        case LightType::Sun:
+            return domain.sun;
+        case LightType::Spot:
+            return domain.spot;
+        case LightType::Point:
+            return domain.point;
+        case LightType::Rect:
+            return domain.rect;
     }
     return false;
 }
 
-/// The first element belongs to `family`, later ones to it or to the filters; families without filters have one element.
+/// The first element belongs to `family`, later ones to it or to the filters; families without filters have one
+/// element.
 void checkPipeline(const Pipeline& pipeline, Family family) {
     const bool takesFilters = family == Family::Shadow || family == Family::Ao;
     if (pipeline.empty())
@@ -34,10 +39,11 @@ void checkPipeline(const Pipeline& pipeline, Family family) {
         const TechniqueEntry& entry = techniqueEntry(pipeline[i].id);
         const bool fits = entry.family == family || (i > 0 && takesFilters && entry.family == Family::Filter);
         if (!fits)
-            throw Error(ErrorCode::Usage,
-                        fmt::format("{} cannot stand at place {} of a {} pipeline", entry.id(), i + 1, familyName(family)),
-                        takesFilters ? fmt::format("write {}/NAME+filter/NAME", familyName(family))
-                                     : fmt::format("only {} techniques can", familyName(family)));
+            throw Error(
+                ErrorCode::Usage,
+                fmt::format("{} cannot stand at place {} of a {} pipeline", entry.id(), i + 1, familyName(family)),
+                takesFilters ? fmt::format("write {}/NAME+filter/NAME", familyName(family))
+                             : fmt::format("only {} techniques can", familyName(family)));
         if (i > 0 && entry.family == Family::Shadow) {
             const auto technique = createTechnique(pipeline[i]);
             if (!static_cast<const ShadowTechnique&>(*technique).refinesInput())
@@ -47,15 +53,40 @@ void checkPipeline(const Pipeline& pipeline, Family family) {
     }
 }
 
+/// What the scene says of techniques, and what it holds that they do not see.
+void warnOfScene(const Scene& scene, const RenderSettings& settings, RenderRequest& request) {
+    std::vector<std::string> ids;
+    for (const TechniqueEntry* entry : techniqueEntries()) ids.push_back(entry->id());
+    for (const std::string& meant : scene.techniques)
+        if (std::find(ids.begin(), ids.end(), meant) == ids.end()) {
+            const std::string nearest = nearestName(meant, ids);
+            request.warnings.push_back(
+                fmt::format("the scene is meant for an unknown technique '{}'{}", meant,
+                            nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest)));
+        }
+    const bool hasHoles = std::any_of(scene.instances.begin(), scene.instances.end(), [&](const Instance& instance) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        return scene.materials[std::size_t(mesh.material)].alphaMode == AlphaMode::Mask;
+    });
+    for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
+        for (const TechniqueSpec& spec : *pipeline) {
+            const TechniqueEntry& entry = techniqueEntry(spec.id);
+            if (hasHoles && entry.family == Family::Shadow && entry.name != "none" && !entry.traits.domain.alphaTest)
+                request.warnings.push_back(
+                    fmt::format("{} does not see the holes of the scene's alpha-tested casters", spec.id));
+        }
+}
+
 void checkLight(const Light& light, const RenderSettings& settings, RenderRequest& request) {
     for (const TechniqueSpec& spec : settings.shadow) {
         const TechniqueEntry& entry = techniqueEntry(spec.id);
         if (entry.family != Family::Shadow) continue;
         const Domain& domain = entry.traits.domain;
         if (!supports(domain, light.type))
-            throw Error(ErrorCode::Usage,
-                        fmt::format("{} does not support the {} light '{}'", entry.id(), lightTypeName(light.type), light.name),
-                        "choose another light with --light or another technique");
+            throw Error(
+                ErrorCode::Usage,
+                fmt::format("{} does not support the {} light '{}'", entry.id(), lightTypeName(light.type), light.name),
+                "choose another light with --light or another technique");
         if (light.hasSize() && !domain.soft && entry.name != "none")
             request.warnings.push_back(
                 fmt::format("{} takes the sized light '{}' as a point at its centre", entry.id(), light.name));
@@ -70,10 +101,12 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
         throw Error(ErrorCode::Usage, fmt::format("a picture of {} x {} pixels", settings.width, settings.height),
                     fmt::format("width and height lie between 1 and {}", kLargest));
     if (settings.frames < 1 || settings.warmupFrames < 0)
-        throw Error(ErrorCode::Usage, fmt::format("{} frames after {} to warm up", settings.frames, settings.warmupFrames),
+        throw Error(ErrorCode::Usage,
+                    fmt::format("{} frames after {} to warm up", settings.frames, settings.warmupFrames),
                     "render at least one, after none or more");
     if (settings.overlayOpacity < 0 || settings.overlayOpacity > 1)
-        throw Error(ErrorCode::Usage, fmt::format("an overlay opacity of {}", settings.overlayOpacity), "it lies between 0 and 1");
+        throw Error(ErrorCode::Usage, fmt::format("an overlay opacity of {}", settings.overlayOpacity),
+                    "it lies between 0 and 1");
 
     checkPipeline(settings.shadow, Family::Shadow);
     checkPipeline(settings.ao, Family::Ao);
@@ -92,13 +125,15 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
         request.places.push_back(fmt::format("shadow {}", light));
         if (settings.givenVisibility.count(light) == 0) checkLight(scene.lights[std::size_t(light)], settings, request);
     }
+    warnOfScene(scene, settings, request);
     for (const char* place : {"ao", "indirect", "aa"}) request.places.emplace_back(place);
     for (const auto& [light, image] : settings.givenVisibility) {
         if (light < 0 || std::size_t(light) >= scene.lights.size())
             throw Error(ErrorCode::Usage, fmt::format("visibility is given for light {}", light),
                         fmt::format("the scene has {} lights, counted from 0", scene.lights.size()));
         if (image.width() != settings.width || image.height() != settings.height || image.planeCount() < 1)
-            throw Error(ErrorCode::Usage, fmt::format("the visibility given for light {} has another size than the picture", light));
+            throw Error(ErrorCode::Usage,
+                        fmt::format("the visibility given for light {} has another size than the picture", light));
     }
     for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
         for (const TechniqueSpec& spec : *pipeline)
@@ -110,9 +145,11 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
     for (const TechniqueSpec& spec : settings.shadow)
         for (const PassInfo& pass : techniqueEntry(spec.id).traits.passes) perLight.push_back(pass.name);
     for (std::size_t i = 1; i < request.lights.size(); ++i)
-        for (const std::string& name : perLight) names.push_back(name + "@" + scene.lights[std::size_t(request.lights[i])].name);
+        for (const std::string& name : perLight)
+            names.push_back(name + "@" + scene.lights[std::size_t(request.lights[i])].name);
     for (const std::string& wanted : settings.show)
-        if (std::find(names.begin(), names.end(), wanted) == names.end()) throw unknownName("picture to show", wanted, names);
+        if (std::find(names.begin(), names.end(), wanted) == names.end())
+            throw unknownName("picture to show", wanted, names);
     return request;
 }
 

@@ -189,12 +189,15 @@ private:
 
     void readLights(const JsonNode& root) {
         std::set<std::string> names;
-        if (const auto lights = root.find("lights"))
+        if (const auto lights = root.find("lights")) {
+            if (lights->elements().empty())
+                throw lights->error("a scene needs at least one light; without \"lights\" it has a sun");
             for (const JsonNode& node : lights->elements()) {
                 Light light = readLight(node, m_scene);
                 light.name = nameOf(node, lightTypeName(light.type), names);
                 m_scene.lights.push_back(std::move(light));
             }
+        }
         if (!m_scene.lights.empty() || m_fileLights.empty()) return;
         m_scene.lights = m_fileLights;
         tameBrightLights(m_scene);

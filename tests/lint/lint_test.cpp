@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rules that the compiler does not see: who may include whom, what a technique's folder holds, what no file may say.
+// The rules that the compiler does not see: who may include whom, what a technique's folder holds, what no file may
+// say.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -24,7 +25,8 @@ std::vector<fs::path> filesUnder(const fs::path& folder, const std::set<std::str
     std::vector<fs::path> files;
     if (!fs::exists(kRoot / folder)) return files;
     for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
-        if (entry.is_regular_file() && extensions.count(entry.path().extension().string())) files.push_back(entry.path());
+        if (entry.is_regular_file() && extensions.count(entry.path().extension().string()))
+            files.push_back(entry.path());
     return files;
 }
 
@@ -77,14 +79,16 @@ TEST(Lint, PublicHeadersStayFreeOfOtherLibraries) {
         EXPECT_TRUE(includesOf(textOf(file), '"').empty()) << file;
         for (const std::string& include : includesOf(textOf(file), '<')) {
             const bool isStandard = include.find('.') == std::string::npos && include.find('/') == std::string::npos;
-            EXPECT_TRUE(isStandard || include.rfind("ombrage/", 0) == 0 || include.rfind("glm/", 0) == 0) << file << " includes " << include;
+            EXPECT_TRUE(isStandard || include.rfind("ombrage/", 0) == 0 || include.rfind("glm/", 0) == 0)
+                << file << " includes " << include;
         }
     }
 }
 
 TEST(Lint, RawGlCallsLiveInGlAndInTechniques) {
     const std::regex call(R"(\bgl[A-Z][A-Za-z0-9]+\s*\()");
-    for (const char* folder : {"src/core", "src/scene", "src/reference", "src/metrics", "src/render", "src/lab", "src/report", "apps"})
+    for (const char* folder :
+         {"src/core", "src/scene", "src/reference", "src/metrics", "src/render", "src/lab", "src/report", "apps"})
         for (const fs::path& file : filesUnder(folder, kCpp)) {
             if (file.filename().string().find("_test.") != std::string::npos) continue;
             const std::string text = textOf(file);
@@ -99,7 +103,8 @@ TEST(Lint, NoTechniqueIsNamedOutsideItsFolder) {
         if (!family.is_directory() || family.path().filename() == "shared") continue;
         for (const auto& folder : fs::directory_iterator(family))
             // "none" is every family's neutral element, which settings start from.
-            if (folder.path().filename() != "none") ids.push_back(family.path().filename().string() + "/" + folder.path().filename().string());
+            if (folder.path().filename() != "none")
+                ids.push_back(family.path().filename().string() + "/" + folder.path().filename().string());
     }
     ASSERT_FALSE(ids.empty());
     for (const char* folder : {"apps", "src/lab", "src/report", "src/render", "include"})
@@ -116,7 +121,8 @@ TEST(Lint, EveryTechniqueFolderIsWhole) {
         if (!family.is_directory() || family.path().filename() == "shared") continue;
         for (const auto& folder : fs::directory_iterator(family)) {
             const std::string name = folder.path().filename().string();
-            for (const char* part : {".md", ".tests.json"}) EXPECT_TRUE(fs::exists(folder.path() / (name + part))) << folder.path() << " lacks " << name << part;
+            for (const char* part : {".md", ".tests.json"})
+                EXPECT_TRUE(fs::exists(folder.path() / (name + part))) << folder.path() << " lacks " << name << part;
             // Sources are lower_snake; what carries the technique's name keeps its hyphens.
             std::string source = name + ".cpp";
             std::replace(source.begin(), source.end(), '-', '_');
@@ -127,7 +133,8 @@ TEST(Lint, EveryTechniqueFolderIsWhole) {
 
 TEST(Lint, TechniquesIncludeNoOtherTechnique) {
     const std::regex include(R"re(#include "((?:techniques/)?(?:shadow|ao|filter|indirect|aa)/([a-z0-9-]+)/[^"]+)")re");
-    for (const fs::path& file : filesUnder("src/techniques", {".h", ".cpp", ".glsl", ".vert", ".frag", ".geom", ".comp"})) {
+    for (const fs::path& file :
+         filesUnder("src/techniques", {".h", ".cpp", ".glsl", ".vert", ".frag", ".geom", ".comp"})) {
         const std::string text = textOf(file);
         for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it)
             EXPECT_EQ((*it)[2], file.parent_path().filename().string()) << file << " includes " << (*it)[1];
@@ -143,9 +150,15 @@ TEST(Lint, EverySourceFileStartsWithItsLicence) {
 }
 
 TEST(Lint, NothingIsLeftForLater) {
-    const std::regex promise("\\b(TO" "DO|FIX" "ME|XX" "X|HA" "CK)\\b");
+    const std::regex promise(
+        "\\b(TO"
+        "DO|FIX"
+        "ME|XX"
+        "X|HA"
+        "CK)\\b");
     for (const char* folder : {"include", "src", "apps", "tests", "examples", "cmake"})
-        for (const fs::path& file : filesUnder(folder, {".h", ".cpp", ".glsl", ".vert", ".frag", ".geom", ".comp", ".cmake", ".txt"}))
+        for (const fs::path& file :
+             filesUnder(folder, {".h", ".cpp", ".glsl", ".vert", ".frag", ".geom", ".comp", ".cmake", ".txt"}))
             EXPECT_FALSE(std::regex_search(textOf(file), promise)) << file;
 }
 

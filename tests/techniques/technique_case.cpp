@@ -26,13 +26,16 @@ ReferenceOptions optionsOf(int samples) {
 }  // namespace
 
 nlohmann::json technicalSheet(const TechniqueInfo& info) {
-    const std::string file = std::string(OMBRAGE_SOURCE_DIR) + "/src/techniques/" + info.id + "/" + info.name + ".tests.json";
+    const std::string file =
+        std::string(OMBRAGE_SOURCE_DIR) + "/src/techniques/" + info.id + "/" + info.name + ".tests.json";
     std::ifstream input(file);
     if (!input) throw Error(ErrorCode::Input, "every technique has a tests.json", "", file);
     const nlohmann::json sheet = nlohmann::json::parse(input);
     refuseUnknownKeys(sheet, {"budgets", "metamorphic", "costOnly", "live", "pipeline", "invariance"}, file);
     for (const auto& budget : sheet.value("budgets", nlohmann::json::array()))
-        refuseUnknownKeys(budget, {"scene", "camera", "light", "pipeline", "params", "truth", "spp", "metric", "max", "min", "reason"}, file);
+        refuseUnknownKeys(
+            budget,
+            {"scene", "camera", "light", "pipeline", "params", "truth", "spp", "metric", "max", "min", "reason"}, file);
     for (const auto& fact : sheet.value("metamorphic", nlohmann::json::array()))
         refuseUnknownKeys(fact, {"name", "scene", "camera", "pipeline", "params", "expect"}, file);
     return sheet;
@@ -59,7 +62,9 @@ const ShadowTruth& Bench::shadow(const std::string& camera, const std::string& l
     const auto known = m_shadow.find(key);
     if (known != m_shadow.end()) return known->second;
     const Camera& eye = m_scene.cameras[std::size_t(m_scene.cameraIndex(camera))];
-    return m_shadow.emplace(key, m_reference.shadow(receivers(camera), eye, m_scene.lightIndex(light), optionsOf(samples))).first->second;
+    return m_shadow
+        .emplace(key, m_reference.shadow(receivers(camera), eye, m_scene.lightIndex(light), optionsOf(samples)))
+        .first->second;
 }
 
 const AoTruth& Bench::ao(const std::string& camera, int samples) {

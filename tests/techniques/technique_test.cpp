@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every technique must hold, read from its own tests.json: budgets against the truth, none of them met by a degenerate
-// answer, live parameters, variants that compile, facts that must not change. No technique is named here.
+// What every technique must hold, read from its own tests.json: budgets against the truth, none of them met by a
+// degenerate answer, live parameters, variants that compile, facts that must not change. No technique is named here.
 #include <cmath>
 #include <set>
 
@@ -33,11 +33,19 @@ protected:
                 for (const auto& [key, value] : entry["params"].items())
                     spec.params.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
         switch (info().family) {
-            case Family::Shadow: settings.shadow = pipeline; break;
+            case Family::Shadow:
+                settings.shadow = pipeline;
+                break;
             case Family::Ao:
-            case Family::Filter: settings.ao = pipeline; break;
-            case Family::Indirect: settings.indirect = pipeline; break;
-            case Family::Aa: settings.aa = pipeline; break;
+            case Family::Filter:
+                settings.ao = pipeline;
+                break;
+            case Family::Indirect:
+                settings.indirect = pipeline;
+                break;
+            case Family::Aa:
+                settings.aa = pipeline;
+                break;
         }
         return settings;
     }
@@ -63,14 +71,16 @@ protected:
     }
 
     /// Metrics of an image against the truth of a budget's scene, camera, light and kind.
-    Metrics measure(const json& budget, const std::vector<float>& image, const RenderResult& result, std::size_t* valid) const {
+    Metrics measure(const json& budget, const std::vector<float>& image, const RenderResult& result,
+                    std::size_t* valid) const {
         Bench& bench = Bench::of(budget.at("scene"));
         const std::string camera = budget.value("camera", ""), light = budget.value("light", "");
         const Receivers& receivers = bench.receivers(camera);
         if (info().family == Family::Shadow) {
             ShadowTruth truth = bench.shadow(camera, light, budget.value("spp", 0));
             maskDisagreement(truth.mask, truth.maskedShare, receivers, result.instance, result.triangle);
-            const TexelFootprint footprint = result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
+            const TexelFootprint footprint =
+                result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
             const ShadowMeasurement measured = measureShadow(image, truth, receivers, footprint);
             if (valid) *valid = measured.validCount;
             return measured.metrics;
@@ -97,23 +107,26 @@ TEST_P(EveryTechnique, MeetsItsBudgets) {
         const std::string metric = budget.at("metric");
         ASSERT_TRUE(metrics.count(metric)) << metric;
         EXPECT_GE(valid, 10000u) << budget.dump();
-        EXPECT_TRUE(meets(budget, metrics)) << budget.dump() << "\n  measured " << metric << " = " << metrics.at(metric).value_or(NAN);
+        EXPECT_TRUE(meets(budget, metrics))
+            << budget.dump() << "\n  measured " << metric << " = " << metrics.at(metric).value_or(NAN);
     }
 }
 
-// A budget that a constant picture meets says nothing. Budgets of one scene, camera and light stand together: every degenerate
-// answer must break at least one of them.
+// A budget that a constant picture meets says nothing. Budgets of one scene, camera and light stand together: every
+// degenerate answer must break at least one of them.
 TEST_P(EveryTechnique, DegenerateAnswersBreakItsBudgets) {
     std::map<std::string, std::vector<json>> groups;
     for (const json& budget : technicalSheet(info()).value("budgets", json::array()))
-        groups[budget.at("scene").get<std::string>() + budget.value("camera", "") + budget.value("light", "")].push_back(budget);
+        groups[budget.at("scene").get<std::string>() + budget.value("camera", "") + budget.value("light", "")]
+            .push_back(budget);
     for (const auto& [name, budgets] : groups) {
         const RenderResult result = render(budgets.front());
         Bench& bench = Bench::of(budgets.front().at("scene"));
         const std::string camera = budgets.front().value("camera", ""), light = budgets.front().value("light", "");
         // The best constant is the truth's mean over valid pixels.
         const bool isShadow = info().family == Family::Shadow;
-        const auto& truthValues = isShadow ? bench.shadow(camera, light, 0).visibility : bench.ao(camera, 128).visibility;
+        const auto& truthValues =
+            isShadow ? bench.shadow(camera, light, 0).visibility : bench.ao(camera, 128).visibility;
         const auto& mask = isShadow ? bench.shadow(camera, light, 0).mask : bench.ao(camera, 128).mask;
         double sum = 0, count = 0;
         for (std::size_t i = 0; i < mask.size(); ++i)
@@ -130,8 +143,8 @@ TEST_P(EveryTechnique, DegenerateAnswersBreakItsBudgets) {
     }
 }
 
-// Both ends of each range (and every choice) must give at least two different answers; parameters listed under "costOnly" must
-// change what is drawn or held instead.
+// Both ends of each range (and every choice) must give at least two different answers; parameters listed under
+// "costOnly" must change what is drawn or held instead.
 TEST_P(EveryTechnique, EveryParameterIsLive) {
     const json sheet = technicalSheet(info());
     const json live = sheet.value("live", json::object());
@@ -163,7 +176,8 @@ TEST_P(EveryTechnique, EveryParameterIsLive) {
             const RenderResult result = render(entry, 320, 180);
             answers.insert(measuredPlane(result, info().family));
             json cost = {{"bytes", result.gpuBytes}, {"counters", result.counters}};
-            for (const PassCost& pass : result.passes) cost["passes"].push_back({pass.name, pass.draws, pass.triangles});
+            for (const PassCost& pass : result.passes)
+                cost["passes"].push_back({pass.name, pass.draws, pass.triangles});
             costs.insert(cost.dump());
         }
         const bool isCost = std::find(costOnly.begin(), costOnly.end(), param.key) != costOnly.end();
@@ -183,7 +197,8 @@ TEST_P(EveryTechnique, EveryVariantCompiles) {
         else if (param.type == ombrage::ParamType::Bool)
             values = {{param.key, "false"}, {param.key, "true"}};
         else
-            values = {{param.key, toString(ParamValue(std::int64_t(param.minimum)))}, {param.key, toString(ParamValue(std::int64_t(param.maximum)))}};
+            values = {{param.key, toString(ParamValue(std::int64_t(param.minimum)))},
+                      {param.key, toString(ParamValue(std::int64_t(param.maximum)))}};
         combinations *= values.size();
         choices.push_back(std::move(values));
     }
@@ -256,8 +271,8 @@ Scene turned(Scene scene) {
     return scene;
 }
 
-// Turning and moving scene and camera together changes nothing but rounding. Map texels and noise move with the axes, so a
-// technique may state another share of differing pixels than 0.2 % under "invariance".
+// Turning and moving scene and camera together changes nothing but rounding. Map texels and noise move with the axes,
+// so a technique may state another share of differing pixels than 0.2 % under "invariance".
 TEST_P(EveryTechnique, TurningSceneAndCameraChangesNothing) {
     if (info().family != Family::Shadow && info().family != Family::Ao) GTEST_SKIP() << "no visibility of its own";
     json entry = liveEntry();

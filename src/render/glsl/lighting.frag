@@ -36,8 +36,8 @@ void main() {
     float depth = gbufferDepth(px);
     if (depth == 0.0) {
 #ifdef FIRST_LIGHT
-        // Sky: the surroundings' own radiance, a little bluer than grey.
-        o_color = vec4(u_ambient * vec3(0.9, 1.0, 1.15), 1.0);
+        // The surroundings' own radiance, as in the truth's picture.
+        o_color = vec4(vec3(u_ambient), 1.0);
         return;
 #else
         discard;

@@ -28,8 +28,8 @@ vec3 bvhCorner(uint slot, uint corner) { return uintBitsToFloat(b_bvhTriangles[3
 RayOrigin rayOriginOfPixel(ivec2 px, uint triangle) {
     RayOrigin o;
     o.slot = b_bvhSlots[triangle];
-    dvec3 a = dvec3(bvhCorner(o.slot, 0u));
-    dvec3 n = cross(dvec3(bvhCorner(o.slot, 1u)) - a, dvec3(bvhCorner(o.slot, 2u)) - a);
+    dvec3 a = dvec3(bvhCorner(o.slot, 0u)), b = dvec3(bvhCorner(o.slot, 1u)), c = dvec3(bvhCorner(o.slot, 2u));
+    dvec3 n = cross(b - a, c - a);
 
     dvec2 size = dvec2(frame.viewport.xy);
     dvec2 plane = ((dvec2(px) + 0.5) / size * 2.0 - 1.0) * double(frame.projection.w) * dvec2(size.x / size.y, 1.0);
@@ -40,7 +40,17 @@ RayOrigin rayOriginOfPixel(ivec2 px, uint triangle) {
 
     o.isReal = dot(n, n) > 0.0;
     double facing = dot(n, direction);
-    o.exact = facing == 0.0 ? a : start + direction * (dot(n, a - start) / facing);
+    dvec3 p = facing == 0.0 ? a : start + direction * (dot(n, a - start) / facing);
+
+    // The rasteriser's snapped corners give a triangle pixels whose centres lie just outside it, where the plane may run behind
+    // a neighbour. The receiver is kept inside, a rounding error away from the edges, as the truth's is.
+    double doubleArea = sqrt(dot(n, n));
+    double inset_m = double(u_bvhExtent_m) * 4.0 * 1.1920929e-7;
+    dvec3 weights = dvec3(dot(n, cross(c - b, p - b)), dot(n, cross(a - c, p - c)), dot(n, cross(b - a, p - a))) / dot(n, n);
+    dvec3 least = min(dvec3(length(c - b), length(c - a), length(b - a)) * (inset_m / doubleArea), dvec3(1.0 / 3.0));
+    weights = max(weights, least);
+    weights /= weights.x + weights.y + weights.z;
+    o.exact = a + (b - a) * weights.y + (c - a) * weights.z;
     o.p_world = vec3(o.exact);
     o.n_g = normalize(vec3(n * (inversesqrt(dot(n, n)) * (facing > 0.0 ? -1.0 : 1.0))));
     return o;
@@ -85,15 +95,21 @@ bool stopsAt(uint slot, RayOrigin o, vec3 d, float tMax) {
     uint record = b_bvhTriangles[3u * slot + 2u].w;
     if (record != 0u && isBvhHole(record, weights / sum)) return false;
 
-    // The float origin may lie a rounding error behind its surface and then meets neighbours in the same plane. The distance in
+    // The float origin may lie a rounding error behind its surface and then meets neighbours in the same plane. A second look in
     // double tells them from a true blocker, however near. Errors of extent * 2^-24 are up to 50 times as long along grazing
     // rays; the margin is 16.
     float recheckBelow_m = u_bvhExtent_m * 1.1920929e-7 * 800.0;
     if (t < recheckBelow_m) {
-        dvec3 corner = dvec3(corner0);
-        dvec3 exactNormal = cross(dvec3(corner1) - corner, dvec3(corner2) - corner);
+        dvec3 p0 = dvec3(corner0), p1 = dvec3(corner1), p2 = dvec3(corner2);
+        dvec3 exactNormal = cross(p1 - p0, p2 - p0);
         double onPlane = double(recheckBelow_m) * 1e-9;
-        if (dot(exactNormal, corner - o.exact) / dot(exactNormal, dvec3(d)) <= onPlane) return false;
+        double exactT = dot(exactNormal, p0 - o.exact) / dot(exactNormal, dvec3(d));
+        if (!(exactT > onPlane)) return false;
+        // Inside to a billionth of its heights: beside a convex edge the neighbour's plane is met outside the neighbour.
+        dvec3 p = o.exact + dvec3(d) * exactT;
+        double inside = min(dot(exactNormal, cross(p2 - p1, p - p1)),
+                            min(dot(exactNormal, cross(p0 - p2, p - p2)), dot(exactNormal, cross(p1 - p0, p - p0))));
+        if (inside < -1e-9 * dot(exactNormal, exactNormal)) return false;
     }
     return true;
 }
