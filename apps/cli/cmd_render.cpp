@@ -65,8 +65,11 @@ int runRender(const Options& options) {
     RenderSettings settings = renderSettings(options);
     settings.frames = int(options.integer("frames", 1, 1, 100000));
     const std::string show = options.text("show", "final");
-    const bool listing = show == "list";
+    const bool listing = show == "list", everything = show == "all";
     const std::string file = listing ? "" : requiredText(options, "output", "picture to write (-o out.png)");
+    if (everything && std::filesystem::path(file).has_extension())
+        throw Error(ErrorCode::Usage, "'--show all' writes many pictures, and '" + file + "' is one file",
+                    "name a folder with -o");
     if (show != "final" && !listing) settings.show = {show};
 
     const Scene scene = loadScene(sceneName, sceneOptions(options));
@@ -83,9 +86,13 @@ int runRender(const Options& options) {
     const RenderResult result = renderer.render(settings);
     for (const std::string& warning : result.warnings) printMessage("warning: " + warning);
     if (interrupted()) throw Error(ErrorCode::Interrupted, "interrupted", "no picture was written");
-    // An EXR file takes the numbers, a picture file what is fit for looking at.
-    const bool wantsNumbers = std::filesystem::path(file).extension() == ".exr";
-    writeImage(file, show == "final" ? result.picture : (wantsNumbers ? result.shownRaw : result.shown).at(show));
+    if (everything) {
+        for (const auto& [name, image] : result.shown) writeImage(std::filesystem::path(file) / (name + ".png"), image);
+    } else {
+        // An EXR file takes the numbers, a picture file what is fit for looking at.
+        const bool wantsNumbers = std::filesystem::path(file).extension() == ".exr";
+        writeImage(file, show == "final" ? result.picture : (wantsNumbers ? result.shownRaw : result.shown).at(show));
+    }
     if (options.flag("json"))
         printResult(resultJson(file, scene, settings, result, renderer.device())
                         .dump(2, ' ', false, Json::error_handler_t::replace) +
@@ -112,7 +119,7 @@ Command renderCommand() {
                 addRenderOptions(options);
                 options.add("--show",
                             "the picture to write: final, visibility, ao, indirect, depth, normal, position, albedo or "
-                            "a pass; 'list' names them (final)");
+                            "a pass; 'list' names them, 'all' writes each into the folder -o (final)");
                 options.add("--frames", "N: frames to render; the last one is written (1)");
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);

@@ -216,6 +216,21 @@ TEST_F(Cli, RendersPngAndKeepsStdoutClean) {
         << "not one flat colour";
 }
 
+TEST_F(Cli, ShowAllFillsAFolder) {
+    expectUsageError({"render", "gap", "--show", "all", "-o", "one.png"}, "name a folder");
+    EXPECT_EQ(run({"render", "gap", "--size", "32x18", "--show", "all", "-o", "views"}).code, 0);
+    for (const char* name : {"final", "visibility", "ao", "indirect", "depth", "normal", "position", "albedo"})
+        EXPECT_EQ(ombrage::readImage(m_folder / "views" / (std::string(name) + ".png")).width(), 32) << name;
+}
+
+TEST_F(Cli, EmptyTextsAndSilentGatesAreErrors) {
+    expectUsageError({"render", "gap", "--light", "", "-o", "x.png"}, "--light is given an empty text");
+    expectUsageError(
+        {"compare", "gap", "--technique", idOf("shadow"), "--fail-on", idOf("ao") + ".rmse>0", "-o", "out"},
+        "not compared");
+    expectUsageError({"render", "gap", "--shader-dir", ".", "-o", "x.png"}, "holds no shader");
+}
+
 TEST_F(Cli, RenderJsonShowAndState) {
     const std::string shadow = idOf("shadow");
     std::ofstream(m_folder / "state.json")
