@@ -207,8 +207,8 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
     });
     for (const auto& [index, image] : result.visibility)
         if (index != result.visibility.begin()->first)
-            offer("visibility@" + frame.scene->lights[std::size_t(index)].name, [&] {
-                return ShownImage{image, image};
+            offer("visibility@" + frame.scene->lights[std::size_t(index)].name, [&shownImage = image] {
+                return ShownImage{shownImage, shownImage};
             });
     offer("ao", [&] { return ShownImage{*result.ao, *result.ao}; });
     offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color); });
