@@ -140,9 +140,9 @@ RunRecord RunRecord::fromJson(const std::string& text, const std::string& where)
         for (const auto& [key, value] : json.at("counters").items()) r.counters[key] = value.get<double>();
         r.seed = json.at("seed").get<std::uint64_t>();
         r.version = json.at("version").get<std::string>();
-        const Json& device = json.at("device");
-        r.device = {device.at("renderer").get<std::string>(), device.at("version").get<std::string>(),
-                    device.at("software").get<bool>()};
+        const Json& ranOn = json.at("device");
+        r.device = {ranOn.at("renderer").get<std::string>(), ranOn.at("version").get<std::string>(),
+                    ranOn.at("software").get<bool>()};
         for (const auto& [kind, path] : json.at("images").items()) r.images[kind] = path.get<std::string>();
         r.warnings = json.at("warnings").get<std::vector<std::string>>();
         return r;
