@@ -31,7 +31,7 @@ for id in shadow/zz-dummy ao/zz-dummy; do
 done
 
 # Nothing but the two folders is new or changed.
-changed="$(diff -rq "$work/before" "$copy" || true)"
+changed="$(LC_ALL=C diff -rq "$work/before" "$copy" || true)"
 expected="Only in $copy/src/techniques/ao: zz-dummy
 Only in $copy/src/techniques/shadow: zz-dummy"
 [ "$changed" = "$expected" ] || fail "other files changed too: $changed"
