@@ -13,7 +13,8 @@ struct FrameBlock {
 };
 
 /// The variant of gbuffer.frag that a batch needs.
-std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batch, const FrameContext& frame, bool masked) {
+std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batch, const FrameContext& frame,
+                                                           bool masked) {
     const auto has = [&](std::size_t map) { return batch.textures[map] >= 0; };
     std::vector<std::pair<std::string, std::string>> defines;
     const auto define = [&](const char* name) { defines.emplace_back(name, "1"); };
@@ -32,7 +33,9 @@ std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batc
 }  // namespace
 
 std::unique_ptr<GBuffer> GeometryPass::makeGBuffer(const GBufferLayout& layout) {
-    const auto plane = [&](GLenum format) { return gl::TextureDesc{.format = format, .width = layout.width, .height = layout.height}; };
+    const auto plane = [&](GLenum format) {
+        return gl::TextureDesc{.format = format, .width = layout.width, .height = layout.height};
+    };
     auto g = std::make_unique<GBuffer>();
     g->layout = layout;
     g->depth = gl::Texture(plane(layout.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F), "g-buffer depth");
@@ -70,14 +73,21 @@ void GeometryPass::draw(FrameContext& frame) const {
     target.bind();
     gl::DrawState state;
     state.depthTest = state.depthWrite = true;
-    gl::apply(state);
     target.clearDepth(0.0f);
     if (frame.gbuffer->layout.stencil) target.clearStencil(0);
-    target.clearColorUint(0, glm::uvec4(0, 0, 0, kNoHit));
 
     frame.gpuScene->bindStorage();
+    // Back faces of solids are behind their front faces, but where the near plane cuts them open: an orthographic one
+    // may do so anywhere.
+    const CameraView& view = frame.view;
+    const auto seesBackFaces = [&](const DrawBatch& batch) {
+        return view.orthographic ||
+               !frame.gpuScene->hidesBackFaces(batch, glm::vec4(view.eye, 1.0f), view.nearReach_m());
+    };
     const auto draw = [&](DrawFilter::Alpha alpha) {
         for (const DrawBatch& batch : frame.gpuScene->batches({.alpha = alpha})) {
+            state.cull = seesBackFaces(batch) ? GL_NONE : GL_BACK;
+            gl::apply(state);
             frame.program({{GL_VERTEX_SHADER, "ombrage/gbuffer.vert"}, {GL_FRAGMENT_SHADER, "ombrage/gbuffer.frag"}},
                           definesOf(batch, frame, alpha == DrawFilter::Alpha::MaskedOnly));
             const DrawCounts counts = frame.gpuScene->draw(batch, false);

@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include <tbb/parallel_for.h>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/packing.hpp>
 
 #include "render/frame_context.h"
+#include "scene/solidity.h"
 
 namespace ombrage {
 
@@ -70,11 +72,15 @@ GpuScene::GpuScene(const Scene& scene) : m_scene(&scene), m_flat(flatten(scene))
     // Bounds of the casters, for fitting light views.
     glm::vec3 lower(INFINITY), upper(-INFINITY);
     for (const FlatInstance& instance : m_flat.instances) {
-        if (!instance.casts) continue;
+        std::pair<glm::vec3, glm::vec3> own{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
         for (std::uint32_t v = 0; v < instance.vertexCount; ++v) {
-            lower = glm::min(lower, m_flat.positions[instance.firstVertex + v]);
-            upper = glm::max(upper, m_flat.positions[instance.firstVertex + v]);
+            own.first = glm::min(own.first, m_flat.positions[instance.firstVertex + v]);
+            own.second = glm::max(own.second, m_flat.positions[instance.firstVertex + v]);
         }
+        m_instanceBounds.push_back(own);
+        if (!instance.casts) continue;
+        lower = glm::min(lower, own.first);
+        upper = glm::max(upper, own.second);
     }
     if (lower.x <= upper.x) {
         m_casterLower = lower;
@@ -97,6 +103,9 @@ void GpuScene::uploadMeshes() {
             attributes.push_back({mesh.normals[v], mesh.tangents[v], mesh.uvs[v]});
         for (std::uint32_t index : mesh.indices) indices.push_back(firstVertex + index);
     }
+    std::vector<char> solid(m_scene->meshes.size());
+    tbb::parallel_for(std::size_t(0), solid.size(), [&](std::size_t i) { solid[i] = isSolid(m_scene->meshes[i]); });
+    m_meshIsSolid.assign(solid.begin(), solid.end());
     m_positions = gl::Buffer::from(positions, "scene positions");
     m_attributes = gl::Buffer::from(attributes, "scene attributes");
     m_indices = gl::Buffer::from(indices, "scene indices");
@@ -109,9 +118,11 @@ void GpuScene::uploadTriangles() {
         const Mesh& mesh = m_scene->meshes[std::size_t(m_flat.instances[i].mesh)];
         const glm::dmat3 linear(m_scene->instances[i].worldFromLocal);
         for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-            // The triangle's own normal, in double so that slivers keep theirs; in the order in which the corners are drawn.
+            // The triangle's own normal, in double so that slivers keep theirs; in the order in which the corners are
+            // drawn.
             glm::dvec3 corner[3];
-            for (std::size_t k = 0; k < 3; ++k) corner[k] = linear * glm::dvec3(mesh.positions[mesh.indices[3 * t + k]]);
+            for (std::size_t k = 0; k < 3; ++k)
+                corner[k] = linear * glm::dvec3(mesh.positions[mesh.indices[3 * t + k]]);
             const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
             const double length = glm::length(n);
             const glm::vec3 unit = length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
@@ -128,7 +139,8 @@ void GpuScene::uploadInstances() {
         const Material& material = m_scene->materials[std::size_t(instance.material)];
         data.push_back({instance.originFromLocal, packedAlbedo(material.baseColor), packedMaterial(material),
                         instance.firstTriangle, std::uint32_t(instance.material),
-                        (instance.mirrored ? kMirrored : 0u) | (instance.receives ? 0u : kUnshadowed), std::uint32_t(i)});
+                        (instance.mirrored ? kMirrored : 0u) | (instance.receives ? 0u : kUnshadowed),
+                        std::uint32_t(i)});
         m_hasLightExceptions = m_hasLightExceptions || !instance.receives;
     }
     m_instances = gl::Buffer::from(data, "scene instances");
@@ -145,18 +157,19 @@ void GpuScene::uploadInstances() {
                 }
     m_exclusions = gl::Buffer::from(exclusions, "light exclusions");
 
-    m_positionArray = vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
-    m_fullArray = vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0},
-                               {1, m_attributes.id(), 0, sizeof(VertexAttributes), 0}},
-                              {{0, 3, GL_FLOAT, 0, 0},
-                               {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
-                               {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
-                               {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1}},
-                              m_indices);
+    m_positionArray =
+        vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
+    m_fullArray = vertexArray(
+        {{0, m_positions.id(), 0, sizeof(glm::vec3), 0}, {1, m_attributes.id(), 0, sizeof(VertexAttributes), 0}},
+        {{0, 3, GL_FLOAT, 0, 0},
+         {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
+         {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
+         {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1}},
+        m_indices);
 }
 
-gl::VertexArray GpuScene::vertexArray(std::vector<gl::VertexBinding> bindings, std::vector<gl::VertexAttribute> attributes,
-                                      const gl::Buffer& indices) const {
+gl::VertexArray GpuScene::vertexArray(std::vector<gl::VertexBinding> bindings,
+                                      std::vector<gl::VertexAttribute> attributes, const gl::Buffer& indices) const {
     constexpr GLuint kBinding = 2, kFirstColumn = 5;
     bindings.push_back({kBinding, m_instances.id(), 0, sizeof(InstanceData), 1});
     attributes.push_back({4, 1, GL_UNSIGNED_INT, GLuint(offsetof(InstanceData, index)), kBinding});
@@ -205,7 +218,7 @@ const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
     const std::vector<int> noModels;
     const auto& excluded =
         filter.excludedByLight >= 0 ? m_scene->lights[std::size_t(filter.excludedByLight)].excludedModels : noModels;
-    std::map<std::array<int, 5>, std::vector<gl::DrawElementsIndirect>> groups;
+    std::map<std::pair<std::array<int, 5>, bool>, std::vector<gl::DrawElementsIndirect>> groups;
     for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
         const FlatInstance& instance = m_flat.instances[i];
         const Material& material = m_scene->materials[std::size_t(instance.material)];
@@ -217,20 +230,37 @@ const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
         std::array<int, 5> key{-1, -1, -1, -1, -1};
         if (filter.alpha == DrawFilter::Alpha::MaskedOnly) key[0] = material.baseColorTexture;
         if (!filter.castersOnly) key = textureSet(material);
-        groups[key].push_back(
+        const bool solid = !masked && !instance.mirrored && m_meshIsSolid[std::size_t(instance.mesh)];
+        groups[{key, solid}].push_back(
             {instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
     }
 
     std::vector<DrawBatch> made;
-    for (const auto& [textures, commands] : groups) {
+    for (const auto& [key, commands] : groups) {
         DrawBatch batch;
-        batch.textures = textures;
+        batch.textures = key.first;
+        batch.solid = key.second;
         batch.commands = gl::Buffer::from(commands, "draw commands");
         batch.commandCount = commands.size();
-        for (const auto& command : commands) batch.triangles += command.count / 3;
+        for (const auto& command : commands) {
+            batch.triangles += command.count / 3;
+            batch.instances.push_back(command.baseInstance);
+        }
         made.push_back(std::move(batch));
     }
     return m_batches.emplace(filter, std::move(made)).first->second;
+}
+
+bool GpuScene::isWithin(std::size_t instance, const glm::vec3& point, float margin_m) const {
+    const auto& [lower, upper] = m_instanceBounds[instance];
+    return glm::all(glm::greaterThanEqual(point, lower - margin_m)) &&
+           glm::all(glm::lessThanEqual(point, upper + margin_m));
+}
+
+bool GpuScene::hidesBackFaces(const DrawBatch& batch, const glm::vec4& viewpoint, float margin_m) const {
+    return batch.solid && (viewpoint.w == 0.0f ||
+                           std::none_of(batch.instances.begin(), batch.instances.end(),
+                                        [&](std::uint32_t i) { return isWithin(i, glm::vec3(viewpoint), margin_m); }));
 }
 
 void GpuScene::bindStorage() const {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <tuple>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 #include "gl/objects.h"
@@ -17,17 +18,19 @@ namespace ombrage {
 /// Which instances a draw takes.
 struct DrawFilter {
     bool castersOnly = false;
-    int excludedByLight = -1;      ///< leaves out the models that this light excludes
+    int excludedByLight = -1;  ///< leaves out the models that this light excludes
     enum class Alpha { Any, OpaqueOnly, MaskedOnly } alpha = Alpha::Any;
     bool operator<(const DrawFilter& o) const {
         return std::tie(castersOnly, excludedByLight, alpha) < std::tie(o.castersOnly, o.excludedByLight, o.alpha);
     }
 };
 
-/// Consecutive indirect draws that share textures and alpha mode.
+/// Consecutive indirect draws that share textures, alpha mode and solidity.
 struct DrawBatch {
     /// Of Scene::textures, -1 for none: base colour, normal, height, metallic-roughness, emissive.
     std::array<int, 5> textures{-1, -1, -1, -1, -1};
+    bool solid = false;  ///< opaque, closed, not mirrored: shows no back face to who is outside
+    std::vector<std::uint32_t> instances;
     gl::Buffer commands;
     std::size_t commandCount = 0;
     std::uint64_t triangles = 0;
@@ -37,8 +40,8 @@ struct DrawCounts {
     std::uint64_t draws = 0, triangles = 0;
 };
 
-/// The scene on the GPU: one vertex buffer in local coordinates, one index buffer, one storage buffer of instances and one
-/// of materials. Vertex shaders get the position through ombrage/vertex.glsl, the one invariant function.
+/// The scene on the GPU: one vertex buffer in local coordinates, one index buffer, one storage buffer of instances and
+/// one of materials. Vertex shaders get the position through ombrage/vertex.glsl, the one invariant function.
 class GpuScene {
 public:
     /// The scene must outlive this object.
@@ -47,30 +50,42 @@ public:
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    /// Draws with multi-draw-indirect, grouped by textures. The program is in use and gl state applied; binds the vertex array
-    /// (positions and instance ids only, without textures, when `positionsOnly`: for opaque casters) and the material
-    /// textures. Returns what was drawn.
+    /// Draws with multi-draw-indirect, grouped by textures. The program is in use and gl state applied; binds the
+    /// vertex array (positions and instance ids only, without textures, when `positionsOnly`: for opaque casters) and
+    /// the material textures. Returns what was drawn.
     DrawCounts draw(const DrawFilter& filter, bool positionsOnly);
 
-    /// The same by hand, for programs that depend on the batch: bindStorage(), then each batch with its program in use.
+    /// The same by hand, for programs or states that depend on the batch: bindStorage(), then each batch with its own
+    /// in use.
     const std::vector<DrawBatch>& batches(const DrawFilter& filter);
+
+    /// Whether no back face of the batch can be seen from `viewpoint`: a point (w 1), farther than `margin_m` from
+    /// every instance's bounds, or a direction (w 0).
+    bool hidesBackFaces(const DrawBatch& batch, const glm::vec4& viewpoint, float margin_m) const;
     DrawCounts draw(const DrawBatch& batch, bool positionsOnly);
 
     const Scene& scene() const { return *m_scene; }
     const FlatScene& flat() const { return m_flat; }
     glm::dvec3 origin() const { return m_flat.origin; }
-    const Bounds& bounds() const { return m_bounds; }            ///< world
+    const Bounds& bounds() const { return m_bounds; }  ///< world
     /// Bounds in the space moved by the origin, of all casters.
     glm::vec3 casterLower() const { return m_casterLower; }
     glm::vec3 casterUpper() const { return m_casterUpper; }
+    /// Bounds of one instance, in the same space.
+    glm::vec3 instanceLower(std::size_t instance) const { return m_instanceBounds[instance].first; }
+    glm::vec3 instanceUpper(std::size_t instance) const { return m_instanceBounds[instance].second; }
+    /// Whether the point is in an instance's bounds grown by a margin.
+    bool isWithin(std::size_t instance, const glm::vec3& point, float margin_m) const;
     bool hasAlphaMask() const { return m_hasAlphaMask; }
     /// Whether lighting has any of it to do.
     bool hasSpecular() const { return m_hasSpecular; }
     bool hasEmission() const { return m_hasEmission; }
-    bool hasLightExceptions() const { return m_hasLightExceptions; }   ///< instances that receive no shadow, or not every light
+    bool hasLightExceptions() const {
+        return m_hasLightExceptions;
+    }  ///< instances that receive no shadow, or not every light
 
-    const gl::Buffer& vertices() const { return m_positions; }   ///< vec3 local, tightly packed
-    const gl::Buffer& indices() const { return m_indices; }      ///< uint32, global vertex indices
+    const gl::Buffer& vertices() const { return m_positions; }  ///< vec3 local, tightly packed
+    const gl::Buffer& indices() const { return m_indices; }     ///< uint32, global vertex indices
     const gl::Buffer& instanceStorage() const { return m_instances; }
     const gl::Buffer& materialStorage() const { return m_materials; }
     std::uint32_t meshFirstVertex(int mesh) const { return m_meshFirstVertex[std::size_t(mesh)]; }
@@ -88,8 +103,8 @@ public:
 
     std::uint64_t gpuBytes() const;
 
-    /// What techniques derive from the scene's geometry (adjacency, a ray-tracing tree): made by T(const GpuScene&) at first
-    /// use, shared by all of them and kept as long as the scene.
+    /// What techniques derive from the scene's geometry (adjacency, a ray-tracing tree): made by T(const GpuScene&) at
+    /// first use, shared by all of them and kept as long as the scene.
     template <typename T>
     T& derived() {
         std::shared_ptr<void>& slot = m_derived[std::type_index(typeid(T))];
@@ -109,6 +124,8 @@ private:
     void uploadMaterials();
 
     std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
+    std::vector<bool> m_meshIsSolid;
+    std::vector<std::pair<glm::vec3, glm::vec3>> m_instanceBounds;
     gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_triangles, m_exclusions;
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;

@@ -34,8 +34,17 @@ glm::vec3 unitFromOctahedral(std::uint32_t word) {
     return glm::normalize(n);
 }
 
+/// The words of the surface plane, with triangle kNoHit for the sky.
+std::vector<std::uint32_t> readSurface(const GBuffer& gbuffer) {
+    auto words = readWords(gbuffer.surface);
+    const Image depth = readDepth(gbuffer.depth);
+    for (std::size_t i = 0; i < depth.pixelCount(); ++i)
+        if (depth.plane(0)[i] <= 0) words[4 * i + 3] = kNoHit;
+    return words;
+}
+
 ShownImage normals(const GBuffer& gbuffer, bool shading) {
-    const auto words = readWords(gbuffer.surface);
+    const auto words = readSurface(gbuffer);
     const int width = gbuffer.layout.width, height = gbuffer.layout.height;
     ShownImage shown{Image(width, height, {"X", "Y", "Z"}), Image::rgb(width, height, ColorSpace::Data)};
     for (std::size_t i = 0; i < shown.raw.pixelCount(); ++i) {
@@ -50,10 +59,11 @@ ShownImage normals(const GBuffer& gbuffer, bool shading) {
 }
 
 ShownImage albedo(const GBuffer& gbuffer) {
-    const auto words = readWords(gbuffer.surface);
+    const auto words = readSurface(gbuffer);
     Image image = Image::rgb(gbuffer.layout.width, gbuffer.layout.height);
     for (std::size_t i = 0; i < image.pixelCount(); ++i) {
         // The inverse of ombrage/surface.glsl.
+        if (words[4 * i + 3] == kNoHit) continue;
         const std::uint32_t word = words[4 * i + 2];
         const glm::vec3 root = glm::vec3(word & 2047u, (word >> 11) & 2047u, word >> 22) / glm::vec3(2047, 2047, 1023);
         for (int c = 0; c < 3; ++c) image.plane(c)[i] = root[c] * root[c];
@@ -95,7 +105,8 @@ ShownImage ids(const GBuffer& gbuffer, const std::vector<std::uint32_t>& values)
         const bool sky = values[i] == kNoHit;
         shown.raw.plane(0)[i] = sky ? -1.0f : float(values[i]);
         const std::uint32_t hash = (values[i] + 1) * 2654435761u;
-        for (int c = 0; c < 3; ++c) shown.display.plane(c)[i] = sky ? 0.0f : float((hash >> (8 * c + 4)) & 0xffu) / 255.0f;
+        for (int c = 0; c < 3; ++c)
+            shown.display.plane(c)[i] = sky ? 0.0f : float((hash >> (8 * c + 4)) & 0xffu) / 255.0f;
     }
     return shown;
 }
@@ -116,7 +127,7 @@ const std::vector<PassInfo>& standardGBufferViews() {
 
 void readIds(const GBuffer& gbuffer, const FlatScene& flat, std::vector<std::uint32_t>& instance,
              std::vector<std::uint32_t>& triangle) {
-    const auto words = readWords(gbuffer.surface);
+    const auto words = readSurface(gbuffer);
     triangle.resize(words.size() / 4);
     instance.resize(triangle.size());
     for (std::size_t i = 0; i < triangle.size(); ++i) {

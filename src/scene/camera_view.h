@@ -12,6 +12,9 @@ struct CameraView {
     int width = 0, height = 0;
     bool orthographic = false;
     float near_m = 0.01f;
+    /// Farther than this from the eye no point is before the near plane's corners, for a field of view up to 150
+    /// degrees.
+    float nearReach_m() const { return 4.0f * near_m; }
     float far_m = 0;              ///< orthographic only
     glm::vec3 eye{0.0f};          ///< relative to the origin
     glm::vec3 forward{0, 0, -1};  ///< unit

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads the G-buffer in a full-screen pass or a compute shader. Pixels count from the lower left. What comes out for the
-// sky, where only depth and triangle are written, means nothing.
+// sky, where only depth is written, means nothing.
 #include "ombrage/bindings.glsl"
 #include "ombrage/octahedral.glsl"
 #include "ombrage/surface.glsl"
@@ -24,7 +24,7 @@ vec3 shadingNormalOf(uvec4 surface) { return unitFromOctahedral(unpackSnorm2x16(
 vec3 gbufferGeometricNormal(ivec2 px) { return geometricNormalOf(gbufferSurface(px)); }
 vec3 gbufferShadingNormal(ivec2 px) { return shadingNormalOf(gbufferSurface(px)); }
 
-// Global triangle, ~0 for the sky.
+// Global triangle.
 uint gbufferTriangle(ivec2 px) { return gbufferSurface(px).w; }
 
 // Metallic, roughness, specular luminance, shininess / 255: only where lighting asked for it (MATERIAL_PLANE).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of a G-buffer texel: x octahedral n_g and y n_s (2 x 16 bits signed), z albedo, w global triangle (~0: sky).
+// The words of a G-buffer texel: x octahedral n_g and y n_s (2 x 16 bits signed), z albedo, w global triangle.
 
 // Linear colour in [0,1], square roots of it in 11, 11 and 10 bits: finer than sRGB in 8 bits, and cheaper to undo.
 uint packedAlbedo(vec3 linear) {

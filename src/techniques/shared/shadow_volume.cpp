@@ -16,10 +16,6 @@ namespace {
 /// bends by 1e-5 of its length.
 constexpr float kOrthographicInfinity = 1e-5f;
 
-bool contains(const glm::vec3& lower, const glm::vec3& upper, const glm::vec3& p, float margin) {
-    return glm::all(glm::greaterThanEqual(p, lower - margin)) && glm::all(glm::lessThanEqual(p, upper + margin));
-}
-
 }  // namespace
 
 VolumeVertices::VolumeVertices(const GpuScene& scene) {
@@ -34,15 +30,6 @@ VolumeVertices::VolumeVertices(const GpuScene& scene) {
 
 SceneTopology::SceneTopology(const GpuScene& scene) {
     for (const Mesh& mesh : scene.scene().meshes) m_meshes.emplace_back(mesh);
-    for (const FlatInstance& instance : scene.flat().instances) {
-        glm::vec3 lower(INFINITY), upper(-INFINITY);
-        for (std::uint32_t v = 0; v < instance.vertexCount; ++v) {
-            lower = glm::min(lower, scene.flat().positions[instance.firstVertex + v]);
-            upper = glm::max(upper, scene.flat().positions[instance.firstVertex + v]);
-        }
-        m_lower.push_back(lower);
-        m_upper.push_back(upper);
-    }
 }
 
 void ShadowVolumes::reset() {
@@ -60,12 +47,9 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
     Key key{light.light->type, light.light->position, light.light->direction, options,
             std::vector<bool>(instances.size())};
     for (std::size_t i = 0; i < instances.size(); ++i) {
-        const glm::vec3 lower = topology.lower(i), upper = topology.upper(i);
-        const float eyeMargin_m =
-            4.0f * frame.view.near_m;  // the corners of the near plane, for a field of view up to 150 degrees
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
-                      contains(lower, upper, frame.view.eye, eyeMargin_m) ||
-                      (!isSun && contains(lower, upper, light.position, 0.0f));
+                      frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m()) ||
+                      (!isSun && frame.gpuScene->isWithin(i, light.position, 0.0f));
     }
     if (m_key && *m_key == key) return;
     build(frame, key, light.light->excludedModels);
@@ -126,7 +110,8 @@ void ShadowVolumes::upload(FrameContext& frame, const VolumeTriangles& triangles
     m_inward.commandBuffer = gl::Buffer::from(m_inward.commands, "shadow volume cap commands");
 
     const gl::Buffer& ends = frame.gpuScene->derived<VolumeVertices>().buffer;
-    m_vertices = frame.gpuScene->vertexArray({{0, ends.id(), 0, sizeof(glm::vec4), 0}}, {{0, 4, GL_FLOAT, 0, 0}}, m_indices);
+    m_vertices =
+        frame.gpuScene->vertexArray({{0, ends.id(), 0, sizeof(glm::vec4), 0}}, {{0, 4, GL_FLOAT, 0, 0}}, m_indices);
 }
 
 void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, const gl::Program& program, bool outward) const {

@@ -15,26 +15,22 @@ namespace ombrage {
 class FrameContext;
 struct LightFrame;
 
-/// Adjacency of every mesh of a scene and the bounds of its instances; shared through GpuScene::derived().
+/// Adjacency of every mesh of a scene; shared through GpuScene::derived().
 class SceneTopology {
 public:
     explicit SceneTopology(const GpuScene& scene);
 
     const MeshTopology& mesh(int index) const { return m_meshes[std::size_t(index)]; }
-    /// In the space moved by the origin, of the instance's vertices.
-    glm::vec3 lower(std::size_t instance) const { return m_lower[instance]; }
-    glm::vec3 upper(std::size_t instance) const { return m_upper[instance]; }
 
 private:
     std::vector<MeshTopology> m_meshes;
-    std::vector<glm::vec3> m_lower, m_upper;
 };
 
-/// Both ends of every vertex, the corner itself (w 1) and the same to be sent to infinity (w 0), one after the other, so that
-/// the codes of VolumeTriangles are indices. Shared through GpuScene::derived().
+/// Both ends of every vertex, the corner itself (w 1) and the same to be sent to infinity (w 0), one after the other,
+/// so that the codes of VolumeTriangles are indices. Shared through GpuScene::derived().
 struct VolumeVertices {
     explicit VolumeVertices(const GpuScene& scene);
-    gl::Buffer buffer;   ///< vec4, local
+    gl::Buffer buffer;  ///< vec4, local
 };
 
 struct ShadowVolumeOptions {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shadow/map: depth seen from the light (Williams 1978), with the whole family of biases. Everything but its GLSL and manual page.
+// shadow/map: depth seen from the light (Williams 1978), with the whole family of biases. Everything but its GLSL and
+// manual page.
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shared/depth_pass.h"
@@ -48,7 +49,8 @@ struct MapParams {
                 .range(16, 8192, Scale::Log)
                 .tune(256, 4096)
                 .effect(ParamEffect::Resize)
-                .help("Width and height of the map (of each of six for a point light): finer edges for more time and memory."),
+                .help("Width and height of the map (of each of six for a point light): finer edges for more time and "
+                      "memory."),
             field(&P::bias, "bias").effect(ParamEffect::Define).help("How a surface is kept from shadowing itself."),
             field(&P::constantBias_texels, "constant-bias", Unit::Texel)
                 .range(0, 32)
@@ -66,32 +68,50 @@ struct MapParams {
                 .range(0, 100)
                 .tune(1, 100)
                 .help("Steepest slope that the biases follow: higher, less acne at grazing light; lower, fewer leaks."),
-            field(&P::cull, "cull").effect(ParamEffect::Host).help("Which faces, seen from the light, stay out of the map."),
-            field(&P::fit, "fit").effect(ParamEffect::Host).help(
-                "What a sun's map covers: all that casts, or the part that can shade what the camera sees (finer, but it "
-                "moves with the camera)."),
-            field(&P::cache, "cache").effect(ParamEffect::Host).help(
-                "Keeps the map while neither the light nor the casters nor the fit changed."));
+            field(&P::cull, "cull")
+                .effect(ParamEffect::Host)
+                .help("Which faces, seen from the light, stay out of the map."),
+            field(&P::fit, "fit")
+                .effect(ParamEffect::Host)
+                .help("What a sun's map covers: all that casts, or the part that can shade what the camera sees "
+                      "(finer, but it "
+                      "moves with the camera)."),
+            field(&P::cache, "cache")
+                .effect(ParamEffect::Host)
+                .help("Keeps the map while neither the light nor the casters nor the fit changed."));
     }
 };
 
 class ShadowMap final : public ShadowTechniqueOf<MapParams> {
 public:
-    void prepare(FrameContext&) override { m_drawn.reset(); }
+    void prepare(FrameContext&) override {
+        m_drawn.reset();
+        m_views.reset();
+    }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        const LightViews views = makeLightViews(frame, light, p().fit);
-        drawDepth(frame, light, views);
+        fitViews(frame, light);
+        drawDepth(frame, light);
         if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
-        lookUp(frame, views, visibility);
-        m_footprint = views.footprint(p().resolution);
+        lookUp(frame, visibility);
+        m_footprint = m_views->footprint(p().resolution);
     }
 
     TexelFootprint footprint() const override { return m_footprint; }
     std::uint64_t gpuBytes() const override { return m_map ? gl::byteSize(m_map.desc()) : 0; }
 
 private:
-    void drawDepth(FrameContext& frame, const LightFrame& light, const LightViews& views) {
+    /// Fitting looks at every caster's vertices, and to the scene depends on the light alone.
+    void fitViews(const FrameContext& frame, const LightFrame& light) {
+        const Pose pose{light.light->type, light.position, light.direction, light.light->outer_rad};
+        if (m_views && p().fit == LightFit::Scene && m_fit == LightFit::Scene && m_pose == pose) return;
+        m_views = makeLightViews(frame, light, p().fit);
+        m_pose = pose;
+        m_fit = p().fit;
+    }
+
+    void drawDepth(FrameContext& frame, const LightFrame& light) {
+        const LightViews& views = *m_views;
         if (p().cache && m_drawn && *m_drawn == views) return;
         const gl::TextureDesc desc{.kind = gl::TextureKind::Array2D,
                                    .format = GL_DEPTH_COMPONENT32F,
@@ -111,32 +131,43 @@ private:
         m_drawn = views;
     }
 
-    void lookUp(FrameContext& frame, const LightViews& views, const gl::Texture& visibility) {
+    void lookUp(FrameContext& frame, const gl::Texture& visibility) {
         const auto pass = frame.pass("shadow map lookup");
-        const gl::Framebuffer target({{&visibility}}, {}, "shadow/map");
+        const gl::Framebuffer target({{&visibility}}, {&frame.gbuffer->depth}, "shadow/map");
         target.bind();
-        gl::apply({});
         const gl::Program& program = frame.fullscreenProgram(*this, "shadow/map/map.frag");
-        views.setUniforms(program);
+        m_views->setUniforms(program);
         frame.bindGBuffer();
         m_map.bind(kFirstFreeUnit);
-        frame.drawFullscreen();
+        frame.drawSurfaces();
     }
 
+    /// What a light's views depend on beside the scene.
+    struct Pose {
+        LightType type = LightType::Sun;
+        glm::vec3 position{0.0f}, direction{0.0f};
+        float outer_rad = 0;
+        bool operator==(const Pose&) const = default;
+    };
+
     gl::Texture m_map;
-    std::optional<LightViews> m_drawn;   ///< what the map holds
+    std::optional<LightViews> m_views;
+    Pose m_pose;  ///< m_views were made for it, and for m_fit
+    LightFit m_fit = LightFit::Scene;
+    std::optional<LightViews> m_drawn;  ///< what the map holds
     TexelFootprint m_footprint;
 };
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(shadow, map, ShadowMap,
-                  {.title = "Shadow map",
-                   .summary = "Compares each surface's distance from the light with the depth that the light sees there.",
-                   .papers = {"williams1978", "wang1994seconddepth", "isidoro2006pcf", "holbert2011normaloffset", "dou2014adaptive",
-                              "ffxvi2023"},
-                   .limits = "Edges are as coarse as the map's texels; casters thinner than a texel break up.",
-                   .domain = {.rect = true, .soft = false},
-                   .passes = {{"light-depth", "depth seen from the light (the first of six views for a point light)"}}})
+OMBRAGE_TECHNIQUE(
+    shadow, map, ShadowMap,
+    {.title = "Shadow map",
+     .summary = "Compares each surface's distance from the light with the depth that the light sees there.",
+     .papers = {"williams1978", "wang1994seconddepth", "isidoro2006pcf", "holbert2011normaloffset", "dou2014adaptive",
+                "ffxvi2023"},
+     .limits = "Edges are as coarse as the map's texels; casters thinner than a texel break up.",
+     .domain = {.rect = true, .soft = false},
+     .passes = {{"light-depth", "depth seen from the light (the first of six views for a point light)"}}})
 
 }  // namespace ombrage

@@ -13,10 +13,9 @@ in vec3 v_rayAlong;
 layout(location = 0) out float o_visibility;
 
 void main() {
-    // Nothing to do for the sky, for faces turned away and beyond the light's range: lighting is 0 there anyway.
+    // Nothing to do for faces turned away and beyond the light's range: lighting is 0 there anyway.
     ivec2 px = ivec2(gl_FragCoord.xy);
     float depth = gbufferDepth(px);
-    if (depth == 0.0) discard;
     vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, depth);
     vec3 n_world = gbufferGeometricNormal(px);
     float lightDistance_m;

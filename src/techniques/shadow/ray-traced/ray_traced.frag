@@ -56,12 +56,11 @@ bool isAsked(RayOrigin o, LightSample centre) {
 
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
-    uint triangle = gbufferTriangle(px);
     bool asked = false;
     o_visibility = 1.0;
     // Branches instead of an early discard: discarded pixels may run on, as llvmpipe's do.
-    if (triangle != ~0u) {
-        RayOrigin o = rayOriginOfPixel(px, triangle);
+    if (gbufferDepth(px) != 0.0) {
+        RayOrigin o = rayOriginOfPixel(px, gbufferTriangle(px));
         LightSample centre = lightCentre(o.p_world);
         asked = isAsked(o, centre);
         if (asked) {
