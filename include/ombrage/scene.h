@@ -115,11 +115,19 @@ struct Camera {
     std::optional<float> orthoHeight_m;          ///< set: orthographic, this high
 };
 
-/// "orbit-camera" or "orbit-light" (about the vertical axis through the scene's centre).
+/// "orbit-camera" or "orbit-light" (about the vertical axis through the scene's centre), or "swing": the instances turn
+/// about `axis` through `pivot` by amplitude_rad * sin(2 pi (t / period_s + phase)), as a limb does at its joint. Pivot
+/// and axis belong to the scene as it was loaded. Animations are carried out in order, each after those before it, so a
+/// forearm's swing stands before that of the whole arm, which moves the forearm too.
 struct Animation {
     std::string type;
-    std::string light;
+    std::string light;              ///< orbit-light
     double period_s = 12;
+    std::vector<int> instances;     ///< swing
+    glm::dvec3 pivot{0.0};          ///< swing; world
+    glm::dvec3 axis{1.0, 0.0, 0.0}; ///< swing; world, unit
+    double amplitude_rad = 0;       ///< swing
+    double phase = 0;               ///< swing: share of a period that it is ahead
 };
 
 struct Bounds {

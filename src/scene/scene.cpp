@@ -107,8 +107,18 @@ void animate(Scene& scene, double time_s) {
             Light& light = scene.lights[std::size_t(scene.lightIndex(animation.light))];
             light.position = glm::dvec3(turn * glm::dvec4(light.position, 1.0));
             light.direction = glm::vec3(glm::normalize(glm::dvec3(turn * glm::dvec4(light.direction, 0.0))));
+        } else if (animation.type == "swing") {
+            const double swing_rad =
+                animation.amplitude_rad * std::sin(angle_rad + 2.0 * glm::pi<double>() * animation.phase);
+            const glm::dmat4 move = glm::translate(glm::dmat4(1.0), animation.pivot) *
+                                    glm::rotate(glm::dmat4(1.0), swing_rad, animation.axis) *
+                                    glm::translate(glm::dmat4(1.0), -animation.pivot);
+            for (const int i : animation.instances) {
+                Instance& instance = scene.instances[std::size_t(i)];
+                instance.worldFromLocal = move * instance.worldFromLocal;
+            }
         } else {
-            throw unknownName("animation", animation.type, {"orbit-camera", "orbit-light"});
+            throw unknownName("animation", animation.type, {"orbit-camera", "orbit-light", "swing"});
         }
     }
 }

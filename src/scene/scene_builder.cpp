@@ -14,25 +14,64 @@ SceneBuilder::SceneBuilder(std::string name) {
     m_scene.name = std::move(name);
 }
 
-SceneBuilder& SceneBuilder::object(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
-                                   const glm::dvec3& position, double turn_deg) {
+Material paint(const glm::vec3& color_srgb) {
     Material material;
-    material.name = name;
     for (int i = 0; i < 3; ++i) material.baseColor[i] = linearFromSrgb(color_srgb[i]);
-    m_scene.materials.push_back(std::move(material));
+    return material;
+}
 
+void SceneBuilder::place(const std::string& name, Mesh mesh, Material material, const glm::dmat4& worldFromLocal) {
+    material.name = name;
+    m_scene.materials.push_back(std::move(material));
     mesh.name = name;
     mesh.material = int(m_scene.materials.size()) - 1;
     makeTangents(mesh);
     m_scene.meshes.push_back(std::move(mesh));
-    m_scene.models.push_back({.name = name});
+    m_scene.instances.push_back({int(m_scene.meshes.size()) - 1, int(m_scene.models.size()) - 1, worldFromLocal});
+}
 
-    Instance instance;
-    instance.mesh = int(m_scene.meshes.size()) - 1;
-    instance.model = int(m_scene.models.size()) - 1;
-    instance.worldFromLocal =
-        glm::rotate(glm::translate(glm::dmat4(1.0), position), glm::radians(turn_deg), glm::dvec3(0, 1, 0));
-    m_scene.instances.push_back(instance);
+SceneBuilder& SceneBuilder::object(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
+                                   const glm::dvec3& position, double turn_deg) {
+    return object(name, std::move(mesh), paint(color_srgb),
+                  glm::rotate(glm::translate(glm::dmat4(1.0), position), glm::radians(turn_deg), glm::dvec3(0, 1, 0)));
+}
+
+SceneBuilder& SceneBuilder::object(const std::string& name, Mesh mesh, Material material,
+                                   const glm::dmat4& worldFromLocal) {
+    m_scene.models.push_back({.name = name});
+    place(name, std::move(mesh), std::move(material), worldFromLocal);
+    return *this;
+}
+
+SceneBuilder& SceneBuilder::part(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
+                                 const glm::dmat4& worldFromLocal) {
+    place(name, std::move(mesh), paint(color_srgb), worldFromLocal);
+    return *this;
+}
+
+SceneBuilder& SceneBuilder::again(const std::string& name, const glm::dmat4& worldFromLocal) {
+    m_scene.models.push_back({.name = name});
+    m_scene.instances.push_back({int(m_scene.meshes.size()) - 1, int(m_scene.models.size()) - 1, worldFromLocal});
+    return *this;
+}
+
+int SceneBuilder::texture(Texture texture) {
+    m_scene.textures.push_back(std::move(texture));
+    return int(m_scene.textures.size()) - 1;
+}
+
+SceneBuilder& SceneBuilder::swing(std::size_t count, const glm::dvec3& pivot, const glm::dvec3& axis,
+                                  double amplitude_deg, double period_s, double phase) {
+    Animation animation;
+    animation.type = "swing";
+    for (std::size_t i = m_scene.instances.size() - count; i < m_scene.instances.size(); ++i)
+        animation.instances.push_back(int(i));
+    animation.pivot = pivot;
+    animation.axis = glm::normalize(axis);
+    animation.amplitude_rad = glm::radians(amplitude_deg);
+    animation.period_s = period_s;
+    animation.phase = phase;
+    m_scene.animations.push_back(std::move(animation));
     return *this;
 }
 

@@ -4,22 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
+#include "scene/shape_parts.h"
 
 namespace ombrage::shapes {
 
 namespace {
-std::uint32_t addVertex(Mesh& mesh, const glm::vec3& p, const glm::vec3& n, const glm::vec2& uv) {
-    mesh.positions.push_back(p);
-    mesh.normals.push_back(n);
-    mesh.uvs.push_back(uv);
-    return std::uint32_t(mesh.positions.size() - 1);
-}
-
-void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
-}
-
 /// A quad from `corner`, counter-clockwise over u, u + v and v.
 void addQuad(Mesh& mesh, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
              const glm::vec2& uvOrigin = {0, 0}) {
@@ -31,12 +20,6 @@ void addQuad(Mesh& mesh, const glm::vec3& corner, const glm::vec3& u, const glm:
     const std::uint32_t d = addVertex(mesh, corner + v, n, uvOrigin);
     addTriangle(mesh, a, b, c);
     addTriangle(mesh, a, c, d);
-}
-
-/// Angle of step i of n around a full turn. The last step gives the bits of the first, so that seams close.
-glm::vec2 circlePoint(int i, int n) {
-    const double angle_rad = 2.0 * glm::pi<double>() * double(i % n) / double(n);
-    return {float(std::cos(angle_rad)), float(std::sin(angle_rad))};
 }
 
 /// A grid of (columns + 1) x (rows + 1) vertices. `point(column, row)` gives position, normal and uv; neighbouring rows
