@@ -116,9 +116,10 @@ struct Camera {
 };
 
 /// "orbit-camera" or "orbit-light" (about the vertical axis through the scene's centre), or "swing": the instances turn
-/// about `axis` through `pivot` by amplitude_rad * sin(2 pi (t / period_s + phase)), as a limb does at its joint. Pivot
-/// and axis belong to the scene as it was loaded. Animations are carried out in order, each after those before it, so a
-/// forearm's swing stands before that of the whole arm, which moves the forearm too.
+/// about `axis` through `pivot`, as a limb does at its joint, by amplitude_rad * sin(2 pi (t / period_s + phase)) about the
+/// middle of the swing. The scene as loaded is the pose at time 0; pivot and axis belong to it. Animations are carried
+/// out in order, each after those before it, so a forearm's swing stands before that of the whole arm, which moves the
+/// forearm too.
 struct Animation {
     std::string type;
     std::string light;              ///< orbit-light
@@ -156,7 +157,7 @@ struct Scene {
     float aoRadius_m = 0.0f;                 ///< radius of the ao truth T1; loaders set 5 % of the diagonal by default
     std::vector<std::string> warnings;       ///< what the loader dropped or repaired
 
-    Bounds bounds() const;
+    Bounds bounds() const;                   ///< of all finite vertices
     std::size_t triangleCount() const;       ///< over all instances
 
     /// Index by name; an empty name is the first. @throws Error(Usage) with a suggestion.

@@ -80,8 +80,7 @@ const std::vector<Entry>& entries() {
         {{"bicycle", "Spokes of 2 mm and thin tubes: casters far below a texel come and go."}, builtin::bicycle},
         {{"tree", "Alpha-tested leaves by the thousand: holes, aliasing and noise where the crown shades itself."},
          builtin::tree},
-        {{"fur",
-          "24,000 hairs of 0.6 mm, open and thinner than a texel: a map takes the fur for a solid, or loses it."},
+        {{"fur", "24,000 hairs of 1 mm, open and thinner than a texel: a map takes the fur for a solid, or loses it."},
          builtin::fur},
         {{"glass",
           "Coloured translucent panes: techniques that know only opaque casters give black shadows instead of tinted "

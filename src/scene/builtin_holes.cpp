@@ -97,7 +97,7 @@ Scene fence() {
     Mesh panel = shapes::card({-2.0f, 0.05f, 0.0f}, {4.0f, 0.0f, 0.0f}, {0.0f, 1.4f, 0.0f});
     for (glm::vec2& uv : panel.uvs) uv *= glm::vec2(32.25f, 11.25f);
     return builder.object("floor", shapes::floor(9.0f), kStone)
-        .object("fence", std::move(panel), cutOut(lattice), glm::dmat4(1.0))
+        .object("lattice", std::move(panel), cutOut(lattice), glm::dmat4(1.0))
         .object("post", shapes::box({-0.05f, -0.02f, -0.05f}, {0.05f, 1.55f, 0.05f}), kClay, {-2.05, 0.0, 0.0})
         .again("post 2", glm::translate(glm::dmat4(1.0), glm::dvec3(2.05, 0.0, 0.0)))
         .object("ball", shapes::sphere({0.0f, 0.35f, 0.0f}, 0.35f, 48, 24), kSea, {0.5, 0.0, 1.0})
@@ -124,7 +124,7 @@ Scene tree() {
 }
 
 Scene fur() {
-    // 24,000 hairs of 0.6 mm on a ball of 25 cm, evenly by the golden angle.
+    // 24,000 hairs of 1 mm on a ball of 25 cm, evenly by the golden angle.
     constexpr int kHairs = 24000;
     const glm::vec3 center(0, 0.3f, 0);
     Mesh hairs;
@@ -141,12 +141,12 @@ Scene fur() {
         const float length = 0.045f + 0.02f * patterns::noise(k, 4);
         const glm::vec3 root = center + n * 0.248f, middle = root + (n + comb * 0.25f) * (length * 0.55f);
         const glm::vec3 tip = middle + (n * 0.7f + comb) * (length * 0.5f);
-        const glm::vec3 across = glm::normalize(glm::cross(n, comb + n * 0.01f)) * 0.0003f;
+        const glm::vec3 across = glm::normalize(glm::cross(n, comb + n * 0.01f)) * 0.0005f;
         addHair(hairs, root, middle, tip, across);
     }
     return SceneBuilder("fur")
         .object("floor", shapes::floor(2.4f), kStone)
-        .object("skin", shapes::sphere(center, 0.25f, 64, 32), kClay)
+        .object("skin", shapes::sphere(center, 0.25f, 64, 32), kSlate)
         .object("hair", std::move(hairs), kStraw)
         .object("rod", shapes::tube({-0.3f, 0.62f, 0.35f}, {0.42f, 0.7f, 0.1f}, 0.012f, 0.012f), kSlate)
         .sun("sun", {-0.7f, -1.2f, -0.25f}, 3.0f)
@@ -174,9 +174,9 @@ Scene glass() {
                                              glm::radians(12.0), glm::dvec3(0, 1, 0));
         builder.object(pane.name, shapes::box({-0.4f, 0.02f, -0.005f}, {0.4f, 1.1f, 0.005f}), material, place);
     }
-    return builder.object("ball", shapes::sphere({0.0f, 0.2f, 0.0f}, 0.2f, 48, 24), kSlate, {-0.35, 0.0, 0.9})
-        .sun("sun", {-0.3f, -1.0f, 0.9f}, 3.0f)
-        .camera("main", {0.7, 1.5, 3.2}, {-0.1, 0.35, 0.4})
+    return builder.object("ball", shapes::sphere({0.0f, 0.2f, 0.0f}, 0.2f, 48, 24), kSlate, {0.45, 0.0, -0.55})
+        .sun("sun", {-0.6f, -1.0f, -0.75f}, 3.0f)
+        .camera("main", {0.5, 1.9, 3.0}, {-0.2, 0.3, -0.1})
         .camera("left", {-2.6, 1.1, 2.2}, {0.0, 0.35, 0.3})
         .camera("top", {0.2, 3.6, 2.2}, {-0.1, 0.0, 0.5})
         .finish(0.3f);

@@ -29,23 +29,6 @@ Mesh column(float height) {
     shapes::append(mesh, shapes::box({-0.4f, height - 0.35f, -0.4f}, {0.4f, height, 0.4f}));
     return mesh;
 }
-
-/// Half a ring from one capital to the next: its legs at x = 0 and x = `span`, standing on y = 0.
-Mesh arch(float span, float thickness, float depth) {
-    constexpr int kSteps = 16;
-    Mesh mesh;
-    const float outer = span * 0.5f + thickness * 0.5f, inner = span * 0.5f - thickness * 0.5f;
-    const auto point = [&](int i, float radius) {
-        const double angle_rad = 3.14159265358979323846 * double(i) / kSteps;
-        return glm::vec2(span * 0.5f + radius * float(std::cos(angle_rad)), radius * float(std::sin(angle_rad)));
-    };
-    for (int i = 0; i < kSteps; ++i) {
-        // One voussoir each; they overlap their neighbours by nothing and share no face, a closed stone of its own.
-        shapes::append(
-            mesh, shapes::prism({point(i, inner), point(i, outer), point(i + 1, outer), point(i + 1, inner)}, depth));
-    }
-    return mesh;
-}
 }  // namespace
 
 Scene bumpy() {
@@ -91,7 +74,7 @@ Scene nave() {
         return glm::translate(place(i % 2 ? 2.2 + 0.3 : -2.2 + 0.3, -double(kSpan) * (i / 2), 90.0),
                               glm::dvec3(0.0, kHeight - 0.02, -0.6));
     };
-    builder.object("arch 1", arch(kSpan, 0.5f, 0.6f), paint(kStone), archPlace(0));
+    builder.object("arch 1", shapes::arch(kSpan, 0.5f, 0.6f), paint(kStone), archPlace(0));
     for (int i = 1; i < 10; ++i) builder.again("arch " + std::to_string(i + 1), archPlace(i));
     return builder.object("bench", shapes::box({-0.9f, 0.4f, -0.2f}, {0.9f, 0.48f, 0.2f}), kClay, {0.0, 0.0, -5.5})
         .part("bench foot", shapes::box({-0.8f, -0.01f, -0.15f}, {-0.7f, 0.41f, 0.15f}), kClay, place(0.0, -5.5, 0.0))

@@ -77,10 +77,10 @@ Scene behind() {
     // A gate and a flagpole stand behind the camera, a slab beside it; only their shadows are seen.
     return SceneBuilder("behind")
         .object("floor", shapes::floor(30.0f), kStone)
-        .object("gate", shapes::wallWithOpening({-2.2f, -0.05f}, {2.2f, 4.4f}, {-1.1f, -0.02f}, {1.1f, 3.2f}, 0.4f),
+        .object("gate", shapes::wallWithOpening({-1.5f, -0.05f}, {1.5f, 5.6f}, {-0.9f, -0.02f}, {0.9f, 4.7f}, 0.4f),
                 paint(kClay), at(0.0, 3.6, 0.0))
-        .object("flagpole", shapes::cylinder({0.0f, -0.05f, 0.0f}, 0.06f, 7.0f), paint(kSlate), at(2.9, 3.0))
-        .object("flag", shapes::box({0.0f, 5.6f, -0.01f}, {1.1f, 6.6f, 0.01f}), paint(kRed), at(2.9, 3.0, 8.0))
+        .object("flagpole", shapes::cylinder({0.0f, -0.05f, 0.0f}, 0.05f, 5.6f), paint(kSlate), at(2.6, 2.6))
+        .object("flag", shapes::box({0.0f, 4.3f, -0.01f}, {1.1f, 5.3f, 0.01f}), paint(kRed), at(2.6, 2.6, 8.0))
         .object("slab", shapes::box({-0.2f, -0.05f, -1.0f}, {0.2f, 2.4f, 1.0f}), paint(kSea), at(-4.6, -0.6, 20.0))
         .object("stone", shapes::box({-0.35f, -0.05f, -0.35f}, {0.35f, 0.5f, 0.35f}), paint(kMoss),
                 at(-0.7, -3.6, 30.0))
@@ -106,7 +106,7 @@ Scene window() {
         .object("west wall", shapes::box({-2.7f, -0.1f, -3.2f}, {-2.5f, 2.8f, 3.2f}), kChalk)
         .object("north wall", shapes::box({-2.6f, -0.11f, -3.2f}, {2.6f, 2.79f, -3.0f}), kSea)
         .object("south wall", shapes::box({-2.6f, -0.11f, 3.0f}, {2.6f, 2.79f, 3.2f}), kSea)
-        .object("ceiling", shapes::box({-2.75f, 2.7f, -3.25f}, {2.75f, 2.9f, 3.25f}), kChalk)
+        .object("roof", shapes::box({-2.75f, 2.7f, -3.25f}, {2.75f, 2.9f, 3.25f}), kChalk)
         .object("table", shapes::box({-0.5f, 0.68f, -0.35f}, {0.5f, 0.72f, 0.35f}), kClay, {-0.3, 0.0, -0.9}, 15.0)
         .object("leg", shapes::cylinder({0.0f, -0.01f, 0.0f}, 0.06f, 0.7f), kClay, {-0.3, 0.0, -0.9})
         .sun("sun", {-1.0f, -0.72f, -0.3f}, 8.0f)

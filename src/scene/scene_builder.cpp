@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_builder.h"
 
+#include <cmath>
 #include <utility>
 
 #include <ombrage/image.h>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/mesh_build.h"
@@ -64,13 +66,28 @@ SceneBuilder& SceneBuilder::swing(std::size_t count, const glm::dvec3& pivot, co
                                   double amplitude_deg, double period_s, double phase) {
     Animation animation;
     animation.type = "swing";
-    for (std::size_t i = m_scene.instances.size() - count; i < m_scene.instances.size(); ++i)
-        animation.instances.push_back(int(i));
     animation.pivot = pivot;
     animation.axis = glm::normalize(axis);
     animation.amplitude_rad = glm::radians(amplitude_deg);
     animation.period_s = period_s;
     animation.phase = phase;
+
+    // Into the pose at time 0, and with it the joints of what it carries.
+    const double start_rad = animation.amplitude_rad * std::sin(2.0 * glm::pi<double>() * phase);
+    const glm::dmat4 pose = glm::translate(glm::dmat4(1.0), pivot) *
+                            glm::rotate(glm::dmat4(1.0), start_rad, animation.axis) *
+                            glm::translate(glm::dmat4(1.0), -pivot);
+    const int first = int(m_scene.instances.size() - count);
+    for (int i = first; i < int(m_scene.instances.size()); ++i) {
+        Instance& instance = m_scene.instances[std::size_t(i)];
+        instance.worldFromLocal = pose * instance.worldFromLocal;
+        animation.instances.push_back(i);
+    }
+    for (Animation& carried : m_scene.animations) {
+        if (carried.type != "swing" || carried.instances.front() < first) continue;
+        carried.pivot = glm::dvec3(pose * glm::dvec4(carried.pivot, 1.0));
+        carried.axis = glm::dvec3(pose * glm::dvec4(carried.axis, 0.0));
+    }
     m_scene.animations.push_back(std::move(animation));
     return *this;
 }

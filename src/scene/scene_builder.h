@@ -28,8 +28,9 @@ public:
     /// Keeps a texture; returns its index for materials.
     int texture(Texture texture);
 
-    /// The last `count` instances swing together by `amplitude_deg`, `phase` of a period ahead; `pivot` and `axis` are
-    /// of the world.
+    /// The last `count` instances swing together about where they stand, by `amplitude_deg` at a joint given in world
+    /// coordinates; they are put into the pose at time 0, `phase` of a period after the middle. Joints of what they
+    /// carry come first.
     SceneBuilder& swing(std::size_t count, const glm::dvec3& pivot, const glm::dvec3& axis, double amplitude_deg,
                         double period_s, double phase);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/strings.h"
 #include "scene/mesh_build.h"
 
 namespace ombrage {
@@ -34,8 +35,9 @@ std::size_t dropDuplicates(Mesh& mesh) {
     // The smallest corner leads; triangles are bucketed by it (counting sort), and only a bucket's own are compared.
     std::vector<std::uint32_t> order(mesh.positions.size()), place(mesh.positions.size());
     std::iota(order.begin(), order.end(), 0u);
-    order.erase(std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !isFinite(mesh.positions[v]); }),
-                order.end());
+    order.erase(
+        std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !isFinite(mesh.positions[v]); }),
+        order.end());
     std::sort(order.begin(), order.end(),
               [&](std::uint32_t a, std::uint32_t b) { return isLess(mesh.positions[a], mesh.positions[b]); });
     std::uint32_t count = 0;
@@ -70,31 +72,49 @@ std::size_t dropDuplicates(Mesh& mesh) {
     return triangleCount - kept;
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + (count == 1 ? " triangle " : " triangles ") + what;
-}
+/// How many triangles of which meshes were left out for one reason.
+struct Loss {
+    std::size_t count = 0;
+    std::vector<std::string> meshes;
+
+    void add(std::size_t lost, const std::string& mesh) {
+        if (lost == 0) return;
+        count += lost;
+        meshes.push_back(mesh);
+    }
+    void tell(const std::string& reason, std::vector<std::string>& warnings) const {
+        if (count == 0) return;
+        constexpr std::size_t kNamed = 4;
+        std::vector<std::string> named(meshes.begin(),
+                                       meshes.begin() + std::ptrdiff_t(std::min(kNamed, meshes.size())));
+        if (meshes.size() > kNamed) named.push_back("...");
+        warnings.push_back(std::to_string(count) + (count == 1 ? " triangle " : " triangles ") + reason +
+                           " left out (in " + join(named, ", ") + ")");
+    }
+};
 }  // namespace
 
 void repairScene(Scene& scene) {
+    Loss bad, repeated;
     for (Mesh& mesh : scene.meshes) {
-        const std::size_t bad = dropBadTriangles(mesh);
-        const std::size_t repeated = dropDuplicates(mesh);
+        const std::size_t badCount = dropBadTriangles(mesh), repeatedCount = dropDuplicates(mesh);
+        bad.add(badCount, mesh.name);
+        repeated.add(repeatedCount, mesh.name);
         const bool isSound =
             allFinite(mesh.positions) && allFinite(mesh.normals) && allFinite(mesh.tangents) && allFinite(mesh.uvs);
-        if (bad == 0 && repeated == 0 && isSound) continue;
+        if (badCount == 0 && repeatedCount == 0 && isSound) continue;
 
-        const std::string where = "mesh '" + mesh.name + "': ";
-        if (bad > 0)
-            scene.warnings.push_back(where + counted(bad, "left out (a corner that is not finite, or no area)"));
-        if (repeated > 0) scene.warnings.push_back(where + counted(repeated, "left out (there twice)"));
         joinVertices(mesh);
         if (allFinite(mesh.normals) && allFinite(mesh.tangents) && allFinite(mesh.uvs)) continue;
-        scene.warnings.push_back(where + "normals, tangents or texture coordinates that are no numbers were made anew");
+        scene.warnings.push_back("mesh '" + mesh.name +
+                                 "': normals, tangents or texture coordinates that are no numbers were made anew");
         for (glm::vec2& uv : mesh.uvs)
             if (!isFinite(uv)) uv = glm::vec2(0.0f);
         completeNormals(mesh);
         makeTangents(mesh);
     }
+    bad.tell("with non-finite corners or without area", scene.warnings);
+    repeated.tell("that are there twice", scene.warnings);
 }
 
 }  // namespace ombrage

@@ -50,6 +50,9 @@ Mesh prism(const std::vector<glm::vec2>& outline, float depth);
 Mesh wallWithOpening(const glm::vec2& lower, const glm::vec2& upper, const glm::vec2& openingLower,
                      const glm::vec2& openingUpper, float depth);
 
+/// Closed: half a ring that stands on y = 0 with its feet about x = 0 and x = `span`, from z = 0 to z = `depth`.
+Mesh arch(float span, float thickness, float depth, int steps = 16);
+
 /// Open, both sides alike: a rectangle whose texture is shown once.
 Mesh card(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v);
 

@@ -8,21 +8,6 @@
 
 namespace ombrage::shapes {
 
-namespace {
-/// A flat face of four corners, counter-clockwise, given so that neighbours share the bits.
-void addFace(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
-    const glm::vec3 n = glm::normalize(glm::cross(b - a, d - a));
-    const float width = glm::length(b - a), height = glm::length(d - a);
-    const std::uint32_t first = addVertex(mesh, a, n, {0, height});
-    addVertex(mesh, b, n, {width, height});
-    addVertex(mesh, c, n, {width, 0});
-    addVertex(mesh, d, n, {0, 0});
-    addTriangle(mesh, first, first + 1, first + 2);
-    addTriangle(mesh, first, first + 2, first + 3);
-}
-
-}  // namespace
-
 Mesh tube(const glm::vec3& start, const glm::vec3& end, float startRadius, float endRadius, int slices) {
     const float length = glm::length(end - start);
     const glm::vec3 axis = (end - start) / length;
@@ -116,6 +101,31 @@ Mesh wallWithOpening(const glm::vec2& lower, const glm::vec2& upper, const glm::
         addFace(mesh, {outer[i], depth}, {outer[j], depth}, {inner[j], depth}, {inner[i], depth});
         addFace(mesh, {outer[j], 0}, {outer[i], 0}, {inner[i], 0}, {inner[j], 0});
     }
+    return mesh;
+}
+
+Mesh arch(float span, float thickness, float depth, int steps) {
+    // Corners come from one formula, so that neighbours share the bits.
+    const auto corner = [&](int i, bool isOuter, float z) {
+        const double angle_rad = glm::pi<double>() * double(i) / double(steps);
+        const float radius = 0.5f * (isOuter ? span + thickness : span - thickness);
+        return glm::vec3(span * 0.5f + radius * float(std::cos(angle_rad)), radius * float(std::sin(angle_rad)), z);
+    };
+    Mesh mesh;
+    for (int i = 0; i < steps; ++i) {
+        const glm::vec3 in0 = corner(i, false, 0), in1 = corner(i + 1, false, 0), out0 = corner(i, true, 0),
+                        out1 = corner(i + 1, true, 0);
+        const glm::vec3 front(0, 0, depth);
+        addFace(mesh, in0 + front, out0 + front, out1 + front, in1 + front);
+        addFace(mesh, in0, in1, out1, out0);
+        addFace(mesh, out0, out1, out1 + front, out0 + front);
+        addFace(mesh, in1, in0, in0 + front, in1 + front);
+    }
+    const glm::vec3 front(0, 0, depth);
+    const glm::vec3 in0 = corner(0, false, 0), out0 = corner(0, true, 0), in1 = corner(steps, false, 0),
+                    out1 = corner(steps, true, 0);
+    addFace(mesh, in0, out0, out0 + front, in0 + front);
+    addFace(mesh, out1, in1, in1 + front, out1 + front);
     return mesh;
 }
 
