@@ -174,9 +174,9 @@ Scene glass() {
                                              glm::radians(12.0), glm::dvec3(0, 1, 0));
         builder.object(pane.name, shapes::box({-0.4f, 0.02f, -0.005f}, {0.4f, 1.1f, 0.005f}), material, place);
     }
-    return builder.object("ball", shapes::sphere({0.0f, 0.2f, 0.0f}, 0.2f, 48, 24), kSlate, {0.45, 0.0, -0.55})
-        .sun("sun", {-0.6f, -1.0f, -0.75f}, 3.0f)
-        .camera("main", {0.5, 1.9, 3.0}, {-0.2, 0.3, -0.1})
+    return builder.object("ball", shapes::sphere({0.0f, 0.2f, 0.0f}, 0.2f, 48, 24), kSlate, {0.6, 0.0, 0.8})
+        .sun("sun", {-0.55f, -1.0f, 0.75f}, 3.0f)
+        .camera("main", {0.5, 1.8, 2.9}, {-0.3, 0.3, 0.35})
         .camera("left", {-2.6, 1.1, 2.2}, {0.0, 0.35, 0.3})
         .camera("top", {0.2, 3.6, 2.2}, {-0.1, 0.0, 0.5})
         .finish(0.3f);

@@ -129,8 +129,8 @@ Scene figure() {
             .swing(2, {s * 0.1, 0.49, 0.02}, across, 20.0, kStep_s, phase - 0.2)
             .swing(3, {s * 0.1, 0.9, 0.0}, across, 32.0, kStep_s, phase);
     }
-    return builder.sun("sun", {-0.75f, -1.0f, -0.6f}, 3.0f)
-        .camera("main", {2.35, 1.35, 1.75}, {-0.35, 0.72, -0.15}, 45.0f)
+    return builder.sun("sun", {-0.9f, -1.0f, 0.3f}, 3.0f)
+        .camera("main", {2.4, 1.45, 1.9}, {-0.4, 0.66, 0.05}, 45.0f)
         .camera("left", {-2.8, 1.3, 1.8}, {-0.3, 0.7, 0.1})
         .camera("top", {-0.5, 3.9, 1.8}, {-0.5, 0.4, 0.1})
         .finish(0.3f);

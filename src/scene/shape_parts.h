@@ -20,9 +20,8 @@ inline void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint3
     mesh.indices.insert(mesh.indices.end(), {a, b, c});
 }
 
-inline  /// A flat face of four corners, counter-clockwise, given so that neighbours share the bits.
-    inline void
-    addFace(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
+/// A flat face of four corners, counter-clockwise, given so that neighbours share the bits.
+inline void addFace(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d) {
     const glm::vec3 n = glm::normalize(glm::cross(b - a, d - a));
     const float width = glm::length(b - a), height = glm::length(d - a);
     const std::uint32_t first = addVertex(mesh, a, n, {0, height});
