@@ -115,11 +115,20 @@ struct Camera {
     std::optional<float> orthoHeight_m;          ///< set: orthographic, this high
 };
 
-/// "orbit-camera" or "orbit-light" (about the vertical axis through the scene's centre).
+/// "orbit-camera" or "orbit-light" (about the vertical axis through the scene's centre), or "swing": the instances turn
+/// about `axis` through `pivot`, as a limb does at its joint, by amplitude_rad * sin(2 pi (t / period_s + phase)) about the
+/// middle of the swing. The scene as loaded is the pose at time 0; pivot and axis belong to it. Animations are carried
+/// out in order, each after those before it, so a forearm's swing stands before that of the whole arm, which moves the
+/// forearm too.
 struct Animation {
     std::string type;
-    std::string light;
+    std::string light;              ///< orbit-light
     double period_s = 12;
+    std::vector<int> instances;     ///< swing
+    glm::dvec3 pivot{0.0};          ///< swing; world
+    glm::dvec3 axis{1.0, 0.0, 0.0}; ///< swing; world, unit
+    double amplitude_rad = 0;       ///< swing
+    double phase = 0;               ///< swing: share of a period that it is ahead
 };
 
 struct Bounds {
@@ -148,7 +157,7 @@ struct Scene {
     float aoRadius_m = 0.0f;                 ///< radius of the ao truth T1; loaders set 5 % of the diagonal by default
     std::vector<std::string> warnings;       ///< what the loader dropped or repaired
 
-    Bounds bounds() const;
+    Bounds bounds() const;                   ///< of all finite vertices
     std::size_t triangleCount() const;       ///< over all instances
 
     /// Index by name; an empty name is the first. @throws Error(Usage) with a suggestion.

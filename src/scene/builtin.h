@@ -29,5 +29,34 @@ Scene cornell();
 Scene corner();
 Scene disk();
 
+// Contacts (builtin_contact.cpp).
+Scene thinWall();
+Scene resting();
+Scene farOrigin();
+Scene touching();
+Scene headLamp();
+// Reach (builtin_reach.cpp).
+Scene longView();
+Scene lightAhead();
+Scene behind();
+Scene window();
+Scene penumbraRamp();
+// Thin and jointed things (builtin_machines.cpp).
+Scene bicycle();
+Scene figure();
+// Holes, hairs and panes (builtin_holes.cpp).
+Scene fence();
+Scene tree();
+Scene fur();
+Scene glass();
+// Interiors (builtin_interiors.cpp).
+Scene bumpy();
+Scene nave();
+Scene manyLights();
+// What programs get wrong (builtin_broken.cpp).
+Scene degenerate();
+Scene mirrored();
+Scene threeCasters();
+
 }  // namespace builtin
 }  // namespace ombrage

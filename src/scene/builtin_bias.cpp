@@ -2,17 +2,13 @@
 #include <cmath>
 
 #include "scene/builtin.h"
+#include "scene/builtin_palette.h"
 #include "scene/scene_builder.h"
 #include "scene/shapes.h"
 
 namespace ombrage::builtin {
 
-namespace {
-const glm::vec3 kStone{0.78f, 0.76f, 0.72f};
-const glm::vec3 kClay{0.80f, 0.47f, 0.34f};
-const glm::vec3 kSea{0.27f, 0.55f, 0.66f};
-const glm::vec3 kStraw{0.87f, 0.73f, 0.40f};
-}  // namespace
+using namespace palette;
 
 Scene planeGrazing() {
     // The sun travels along +x, 4 degrees below level; the box stands near the far end, so its 5.7 m shadow falls off
@@ -59,12 +55,7 @@ Scene comb() {
     Mesh teeth;
     for (int i = 0; i < kTeeth; ++i) {
         const float x = (float(i) - 0.5f * float(kTeeth - 1)) * kPitch;
-        const Mesh tooth = shapes::box({x - kHalfWidth, 0.05f, -0.005f}, {x + kHalfWidth, 0.8f, 0.005f});
-        const std::uint32_t first = std::uint32_t(teeth.positions.size());
-        teeth.positions.insert(teeth.positions.end(), tooth.positions.begin(), tooth.positions.end());
-        teeth.normals.insert(teeth.normals.end(), tooth.normals.begin(), tooth.normals.end());
-        teeth.uvs.insert(teeth.uvs.end(), tooth.uvs.begin(), tooth.uvs.end());
-        for (const std::uint32_t index : tooth.indices) teeth.indices.push_back(first + index);
+        shapes::append(teeth, shapes::box({x - kHalfWidth, 0.05f, -0.005f}, {x + kHalfWidth, 0.8f, 0.005f}));
     }
     // The teeth end 10 mm above the lower face of the beam, inside it: no faces coincide.
     return SceneBuilder("comb")

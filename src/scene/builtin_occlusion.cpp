@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/builtin.h"
+#include "scene/builtin_palette.h"
 #include "scene/scene_builder.h"
 #include "scene/shapes.h"
 
 namespace ombrage::builtin {
 
-namespace {
-const glm::vec3 kStone{0.78f, 0.76f, 0.72f};
-const glm::vec3 kChalk{0.88f, 0.87f, 0.84f};
-const glm::vec3 kRed{0.78f, 0.26f, 0.22f};
-const glm::vec3 kGreen{0.33f, 0.60f, 0.30f};
-const glm::vec3 kSea{0.27f, 0.55f, 0.66f};
-const glm::vec3 kStraw{0.87f, 0.73f, 0.40f};
-}  // namespace
+using namespace palette;
 
 Scene menger() {
     return SceneBuilder("menger")

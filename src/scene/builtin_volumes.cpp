@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "scene/builtin.h"
+#include "scene/builtin_palette.h"
 #include "scene/scene_builder.h"
 #include "scene/shapes.h"
 
 namespace ombrage::builtin {
 
-namespace {
-const glm::vec3 kStone{0.78f, 0.76f, 0.72f};
-const glm::vec3 kClay{0.80f, 0.47f, 0.34f};
-const glm::vec3 kSea{0.27f, 0.55f, 0.66f};
-const glm::vec3 kMoss{0.49f, 0.60f, 0.36f};
-const glm::vec3 kPlum{0.55f, 0.38f, 0.54f};
-const glm::vec3 kStraw{0.87f, 0.73f, 0.40f};
-}  // namespace
+using namespace palette;
 
 Scene inShadow() {
     // The roof hangs 3 m above the floor; every camera but `top` is in its shadow and looks out of it.

@@ -93,6 +93,11 @@ std::string contentHash(const Scene& scene) {
         hasher.text(animation.type);
         hasher.value(animation.type == "orbit-light" ? scene.lightIndex(animation.light) : -1);
         hasher.value(animation.period_s);
+        hasher.array(animation.instances);
+        hashVector(hasher, animation.pivot);
+        hashVector(hasher, animation.axis);
+        hasher.value(animation.amplitude_rad);
+        hasher.value(animation.phase);
     }
     hasher.value(scene.ambient);
     hasher.value(scene.aoRadius_m);

@@ -9,6 +9,7 @@
 #include "scene/builtin.h"
 #include "scene/framing.h"
 #include "scene/scene_file.h"
+#include "scene/scene_repair.h"
 
 namespace ombrage {
 
@@ -81,6 +82,7 @@ Scene loadScene(const std::string& nameOrFile, const SceneOptions& options) {
     } else {
         scene = makeBuiltinScene(nameOrFile);
     }
+    repairScene(scene);
     if (options.eye) scene.cameras[0].position = *options.eye;
     if (options.target) scene.cameras[0].target = *options.target;
     return scene;

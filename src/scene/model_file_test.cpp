@@ -231,7 +231,9 @@ struct RealModel {
 std::size_t triangleCountOfFile(const Scene& scene) {
     std::size_t count = scene.triangleCount();
     for (const std::string& warning : scene.warnings)
-        if (warning.find("triangles with non-finite") != std::string::npos) count += std::stoul(warning);
+        if (warning.find("triangles with non-finite") != std::string::npos ||
+            warning.find("triangles that are there twice") != std::string::npos)
+            count += std::stoul(warning);
     return count;
 }
 

@@ -50,6 +50,7 @@ Bounds Scene::bounds() const {
         const glm::dmat4& m = instance.worldFromLocal;
         for (const glm::vec3& p : meshes[std::size_t(instance.mesh)].positions) {
             const glm::dvec3 p_world(m * glm::dvec4(p, 1.0));
+            if (!std::isfinite(p_world.x + p_world.y + p_world.z)) continue;
             result.lower = glm::min(result.lower, p_world);
             result.upper = glm::max(result.upper, p_world);
         }
@@ -107,8 +108,19 @@ void animate(Scene& scene, double time_s) {
             Light& light = scene.lights[std::size_t(scene.lightIndex(animation.light))];
             light.position = glm::dvec3(turn * glm::dvec4(light.position, 1.0));
             light.direction = glm::vec3(glm::normalize(glm::dvec3(turn * glm::dvec4(light.direction, 0.0))));
+        } else if (animation.type == "swing") {
+            // The scene as loaded is the pose at time 0.
+            const double start_rad = 2.0 * glm::pi<double>() * animation.phase;
+            const double swing_rad = animation.amplitude_rad * (std::sin(angle_rad + start_rad) - std::sin(start_rad));
+            const glm::dmat4 move = glm::translate(glm::dmat4(1.0), animation.pivot) *
+                                    glm::rotate(glm::dmat4(1.0), swing_rad, animation.axis) *
+                                    glm::translate(glm::dmat4(1.0), -animation.pivot);
+            for (const int i : animation.instances) {
+                Instance& instance = scene.instances[std::size_t(i)];
+                instance.worldFromLocal = move * instance.worldFromLocal;
+            }
         } else {
-            throw unknownName("animation", animation.type, {"orbit-camera", "orbit-light"});
+            throw unknownName("animation", animation.type, {"orbit-camera", "orbit-light", "swing"});
         }
     }
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "scene/scene_builder.h"
 
+#include <cmath>
 #include <utility>
 
 #include <ombrage/image.h>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/mesh_build.h"
@@ -14,25 +16,79 @@ SceneBuilder::SceneBuilder(std::string name) {
     m_scene.name = std::move(name);
 }
 
-SceneBuilder& SceneBuilder::object(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
-                                   const glm::dvec3& position, double turn_deg) {
+Material paint(const glm::vec3& color_srgb) {
     Material material;
-    material.name = name;
     for (int i = 0; i < 3; ++i) material.baseColor[i] = linearFromSrgb(color_srgb[i]);
-    m_scene.materials.push_back(std::move(material));
+    return material;
+}
 
+void SceneBuilder::place(const std::string& name, Mesh mesh, Material material, const glm::dmat4& worldFromLocal) {
+    material.name = name;
+    m_scene.materials.push_back(std::move(material));
     mesh.name = name;
     mesh.material = int(m_scene.materials.size()) - 1;
     makeTangents(mesh);
     m_scene.meshes.push_back(std::move(mesh));
-    m_scene.models.push_back({.name = name});
+    m_scene.instances.push_back({int(m_scene.meshes.size()) - 1, int(m_scene.models.size()) - 1, worldFromLocal});
+}
 
-    Instance instance;
-    instance.mesh = int(m_scene.meshes.size()) - 1;
-    instance.model = int(m_scene.models.size()) - 1;
-    instance.worldFromLocal =
-        glm::rotate(glm::translate(glm::dmat4(1.0), position), glm::radians(turn_deg), glm::dvec3(0, 1, 0));
-    m_scene.instances.push_back(instance);
+SceneBuilder& SceneBuilder::object(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
+                                   const glm::dvec3& position, double turn_deg) {
+    return object(name, std::move(mesh), paint(color_srgb),
+                  glm::rotate(glm::translate(glm::dmat4(1.0), position), glm::radians(turn_deg), glm::dvec3(0, 1, 0)));
+}
+
+SceneBuilder& SceneBuilder::object(const std::string& name, Mesh mesh, Material material,
+                                   const glm::dmat4& worldFromLocal) {
+    m_scene.models.push_back({.name = name});
+    place(name, std::move(mesh), std::move(material), worldFromLocal);
+    return *this;
+}
+
+SceneBuilder& SceneBuilder::part(const std::string& name, Mesh mesh, const glm::vec3& color_srgb,
+                                 const glm::dmat4& worldFromLocal) {
+    place(name, std::move(mesh), paint(color_srgb), worldFromLocal);
+    return *this;
+}
+
+SceneBuilder& SceneBuilder::again(const std::string& name, const glm::dmat4& worldFromLocal) {
+    m_scene.models.push_back({.name = name});
+    m_scene.instances.push_back({int(m_scene.meshes.size()) - 1, int(m_scene.models.size()) - 1, worldFromLocal});
+    return *this;
+}
+
+int SceneBuilder::texture(Texture texture) {
+    m_scene.textures.push_back(std::move(texture));
+    return int(m_scene.textures.size()) - 1;
+}
+
+SceneBuilder& SceneBuilder::swing(std::size_t count, const glm::dvec3& pivot, const glm::dvec3& axis,
+                                  double amplitude_deg, double period_s, double phase) {
+    Animation animation;
+    animation.type = "swing";
+    animation.pivot = pivot;
+    animation.axis = glm::normalize(axis);
+    animation.amplitude_rad = glm::radians(amplitude_deg);
+    animation.period_s = period_s;
+    animation.phase = phase;
+
+    // Into the pose at time 0, and with it the joints of what it carries.
+    const double start_rad = animation.amplitude_rad * std::sin(2.0 * glm::pi<double>() * phase);
+    const glm::dmat4 pose = glm::translate(glm::dmat4(1.0), pivot) *
+                            glm::rotate(glm::dmat4(1.0), start_rad, animation.axis) *
+                            glm::translate(glm::dmat4(1.0), -pivot);
+    const int first = int(m_scene.instances.size() - count);
+    for (int i = first; i < int(m_scene.instances.size()); ++i) {
+        Instance& instance = m_scene.instances[std::size_t(i)];
+        instance.worldFromLocal = pose * instance.worldFromLocal;
+        animation.instances.push_back(i);
+    }
+    for (Animation& carried : m_scene.animations) {
+        if (carried.type != "swing" || carried.instances.front() < first) continue;
+        carried.pivot = glm::dvec3(pose * glm::dvec4(carried.pivot, 1.0));
+        carried.axis = glm::dvec3(pose * glm::dvec4(carried.axis, 0.0));
+    }
+    m_scene.animations.push_back(std::move(animation));
     return *this;
 }
 

@@ -234,20 +234,38 @@ private:
 
     void readAnimation(const JsonNode& node) {
         Animation animation;
-        animation.type = node.at("type").choice("animation", {"orbit-camera", "orbit-light"});
-        const bool ofLight = animation.type == "orbit-light";
-        if (ofLight)
+        animation.type = node.at("type").choice("animation", {"orbit-camera", "orbit-light", "swing"});
+        if (animation.type == "swing") {
+            readSwing(node, animation);
+        } else if (animation.type == "orbit-light") {
             node.requireKeys("orbit-light", {"type", "period_s", "light"});
-        else
-            node.requireKeys("orbit-camera", {"type", "period_s"});
-        if (const auto period = node.find("period_s")) animation.period_s = period->numberAbove(0.0, 1e6);
-        if (ofLight) {
             std::vector<std::string> names;
             for (const Light& light : m_scene.lights) names.push_back(light.name);
             if (names.empty()) names.push_back(defaultSun().name);
             animation.light = node.at("light").choice("light", names);
+        } else {
+            node.requireKeys("orbit-camera", {"type", "period_s"});
         }
+        if (const auto period = node.find("period_s")) animation.period_s = period->numberAbove(0.0, 1e6);
         m_scene.animations.push_back(animation);
+    }
+
+    void readSwing(const JsonNode& node, Animation& animation) const {
+        node.requireKeys("swing", {"type", "period_s", "models", "pivot", "axis", "amplitude_deg", "phase"});
+        std::vector<std::string> names;
+        for (const Model& model : m_scene.models) names.push_back(model.name);
+        const JsonNode models = node.at("models");
+        if (models.elements().empty()) throw models.error("a swing needs at least one model");
+        std::set<std::string> chosen;
+        for (const JsonNode& model : models.elements())
+            if (!chosen.insert(model.choice("model", names)).second) throw model.error("this model is named twice");
+        for (std::size_t i = 0; i < m_scene.instances.size(); ++i)
+            if (chosen.count(m_scene.models[std::size_t(m_scene.instances[i].model)].name) > 0)
+                animation.instances.push_back(int(i));
+        animation.pivot = node.at("pivot").vec3(-kFarthest_m, kFarthest_m);
+        animation.axis = node.at("axis").direction();
+        animation.amplitude_rad = glm::radians(node.at("amplitude_deg").number(-36000.0, 36000.0));
+        if (const auto phase = node.find("phase")) animation.phase = phase->number(-1.0, 1.0);
     }
 
     void readTechnique(const JsonNode& node) {

@@ -66,6 +66,14 @@ const BadScene kBadScenes[] = {
      "{@, \"lights\": [{\"type\": \"sun\", \"name\": \"lamp\"}],\n \"animations\": [{\"type\": \"orbit-light\", "
      "\"light\": \"lmap\"}]}",
      ":3: /animations/0/light", "unknown light", "lamp"},
+    {"SwingModel",
+     "{@,\n \"animations\": [{\"type\": \"swing\", \"models\": [\"dor\"], \"pivot\": [0, 0, 0], \"axis\": [0, 1, 0], "
+     "\"amplitude_deg\": 30}]}",
+     ":3: /animations/0/models/0", "unknown model 'dor'", ""},
+    {"SwingAxis",
+     "{@,\n \"animations\": [{\"type\": \"swing\", \"models\": [\"t\"], \"pivot\": [0, 0, 0], \"axis\": [0, 0, 0], "
+     "\"amplitude_deg\": 30}]}",
+     ":3: /animations/0/axis", "length 0", ""},
     {"AnimationPeriod", "{@,\n \"animations\": [{\"type\": \"orbit-camera\", \"period_s\": 0}]}",
      ":3: /animations/0/period_s", "out of range", ""},
     {"TechniqueId", "{@,\n \"techniques\": [\"shadw/map\"]}", ":3: /techniques/0", "unknown family 'shadw'", "shadow"},
@@ -111,7 +119,9 @@ TEST(SceneFile, ReadsEveryKey) {
                   {"type": "spot", "inner_deg": 10, "outer_deg": 45}, {"type": "rect", "size_m": [1, 0.5]} ],
       "cameras": [ {"name": "main", "position": [4,3,5], "target": [0,1,0], "up": [0,0,2], "fov_deg": 90},
                    {"position": [0,9,0], "ortho_height_m": 3} ],
-      "animations": [ {"type": "orbit-camera", "period_s": 12}, {"type": "orbit-light", "light": "lamp"} ],
+      "animations": [ {"type": "orbit-camera", "period_s": 12}, {"type": "orbit-light", "light": "lamp"},
+                      {"type": "swing", "models": ["t-2"], "pivot": [1, 2, 3], "axis": [0, 0, 2], "amplitude_deg": 90,
+                       "period_s": 2, "phase": 0.25} ],
       "techniques": ["shadow/map", "ao/blocks"] })");
     const Scene scene = loadScene(file);
     EXPECT_EQ(scene.name, "all");
@@ -143,7 +153,12 @@ TEST(SceneFile, ReadsEveryKey) {
     EXPECT_FLOAT_EQ(scene.cameras[0].fovY_rad, 1.5707963f);
     EXPECT_EQ(scene.cameras[0].up, glm::vec3(0, 0, 1));
     EXPECT_EQ(scene.cameras[1].orthoHeight_m, 3.0f);
-    ASSERT_EQ(scene.animations.size(), 2u);
+    ASSERT_EQ(scene.animations.size(), 3u);
+    EXPECT_EQ(scene.animations[2].instances, std::vector<int>{1});
+    EXPECT_EQ(scene.animations[2].pivot, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(scene.animations[2].axis, glm::dvec3(0, 0, 1));
+    EXPECT_DOUBLE_EQ(scene.animations[2].amplitude_rad, 1.5707963267948966);
+    EXPECT_EQ(scene.animations[2].phase, 0.25);
     EXPECT_EQ(scene.techniques, (std::vector<std::string>{"shadow/map", "ao/blocks"}));
 }
 

@@ -92,6 +92,13 @@ TEST(Scene, ContentHashFollowsWhatChangesAPicture) {
         [](Scene& s) {
             s.animations[0] = {"orbit-camera", "", 4.0};
         },
+        [](Scene& s) { s.animations[0].instances = {1}; },
+        [](Scene& s) { s.animations[0].pivot.y = 1; },
+        [](Scene& s) {
+            s.animations[0].axis = {0, 1, 0};
+        },
+        [](Scene& s) { s.animations[0].amplitude_rad = 1; },
+        [](Scene& s) { s.animations[0].phase = 0.5; },
         [](Scene& s) { s.ambient = 0.3f; },
         [](Scene& s) { s.aoRadius_m = 0.3f; },
         [](Scene& s) { s.lights.push_back(s.lights[0]); },
@@ -126,6 +133,62 @@ TEST(Scene, OrbitsTurnAboutTheVerticalAxis) {
     // Half a turn of the light; a float direction.
     EXPECT_NEAR(scene.lights[0].direction.x, -before.lights[0].direction.x, 1e-6);
     EXPECT_NEAR(scene.lights[0].direction.y, before.lights[0].direction.y, 1e-6);
+}
+
+TEST(Scene, SwingsStartFromTheLoadedPoseAndCarryWhatComesFirst) {
+    // A forearm of 1 m from (1, 0, 0) outwards on an upper arm of 1 m from the origin; both swing about z.
+    Scene scene = loadScene("gap");
+    scene.instances[0].worldFromLocal[3] = {1, 0, 0, 1};
+    scene.instances[1].worldFromLocal[3] = {0, 0, 0, 1};
+    Animation elbow{"swing", "", 4.0, {0}, {1, 0, 0}, {0, 0, 1}, glm::radians(90.0), 0.0};
+    Animation shoulder{"swing", "", 4.0, {0, 1}, {0, 0, 0}, {0, 0, 1}, glm::radians(90.0), 0.0};
+    scene.animations = {elbow, shoulder};
+    const auto handAt = [&](double time_s) {
+        Scene moved = scene;
+        animate(moved, time_s);
+        return glm::dvec3(moved.instances[0].worldFromLocal * glm::dvec4(1, 0, 0, 1));
+    };
+    // Rounding of sines: 1e-15 times lengths of 2. After a quarter period both joints are at 90 degrees.
+    EXPECT_NEAR(glm::length(handAt(0.0) - glm::dvec3(2, 0, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(handAt(1.0) - glm::dvec3(-1, 1, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(handAt(3.0) - glm::dvec3(-1, -1, 0)), 0.0, 1e-12);
+    // The loaded pose is the one at time 0 whatever the phase: from the end of the swing it goes back by its whole.
+    scene.animations = {shoulder};
+    scene.animations[0].phase = 0.25;
+    EXPECT_NEAR(glm::length(handAt(0.0) - glm::dvec3(2, 0, 0)), 0.0, 1e-12);
+    EXPECT_NEAR(glm::length(handAt(2.0) - glm::dvec3(-2, 0, 0)), 0.0, 1e-12);
+}
+
+TEST(Scene, FigureStaysTogetherAsItWalks) {
+    // Where two limbs meet they share a joint: each hand is 26 cm and a little from its elbow at any time.
+    const Scene loaded = loadScene("figure");
+    const auto centerOf = [](const Scene& scene, const std::string& mesh) {
+        Bounds bounds;
+        for (const Instance& instance : scene.instances)
+            if (scene.meshes[std::size_t(instance.mesh)].name == mesh)
+                for (const glm::vec3& p : scene.meshes[std::size_t(instance.mesh)].positions) {
+                    const glm::dvec3 p_world(instance.worldFromLocal * glm::dvec4(p, 1.0));
+                    bounds.lower = glm::min(bounds.lower, p_world);
+                    bounds.upper = glm::max(bounds.upper, p_world);
+                }
+        return bounds.center();
+    };
+    double farthest = 0;
+    for (const double time_s : {0.0, 0.15, 0.3, 0.6, 0.9, 1.1}) {
+        Scene scene = loaded;
+        animate(scene, time_s);
+        for (const std::string side : {"left ", "right "}) {
+            // Centres of bounds of turned limbs wander by some centimetres.
+            EXPECT_NEAR(glm::length(centerOf(scene, side + "hand") - centerOf(scene, side + "forearm")), 0.16, 0.05);
+            EXPECT_NEAR(glm::length(centerOf(scene, side + "foot") - centerOf(scene, side + "shin")), 0.24, 0.08);
+        }
+        farthest = std::max(farthest, glm::length(centerOf(scene, "left foot") - centerOf(loaded, "left foot")));
+    }
+    EXPECT_GT(farthest, 0.3);
+    // A whole period later it stands as before; sines of 2 pi are good to 1e-15.
+    Scene again = loaded;
+    animate(again, 1.2);
+    EXPECT_NEAR(glm::length(centerOf(again, "left hand") - centerOf(loaded, "left hand")), 0.0, 1e-12);
 }
 
 TEST(Light, AxesArePerpendicularAndSizesAreKnown) {

@@ -4,41 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include <glm/gtc/constants.hpp>
+#include "scene/shape_parts.h"
 
 namespace ombrage::shapes {
 
 namespace {
-std::uint32_t addVertex(Mesh& mesh, const glm::vec3& p, const glm::vec3& n, const glm::vec2& uv) {
-    mesh.positions.push_back(p);
-    mesh.normals.push_back(n);
-    mesh.uvs.push_back(uv);
-    return std::uint32_t(mesh.positions.size() - 1);
-}
-
-void addTriangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    mesh.indices.insert(mesh.indices.end(), {a, b, c});
-}
-
-/// A quad from `corner`, counter-clockwise over u, u + v and v.
-void addQuad(Mesh& mesh, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
-             const glm::vec2& uvOrigin = {0, 0}) {
-    const glm::vec3 n = glm::normalize(glm::cross(u, v));
-    const float width = glm::length(u), height = glm::length(v);
-    const std::uint32_t a = addVertex(mesh, corner, n, uvOrigin + glm::vec2(0, height));
-    const std::uint32_t b = addVertex(mesh, corner + u, n, uvOrigin + glm::vec2(width, height));
-    const std::uint32_t c = addVertex(mesh, corner + u + v, n, uvOrigin + glm::vec2(width, 0));
-    const std::uint32_t d = addVertex(mesh, corner + v, n, uvOrigin);
-    addTriangle(mesh, a, b, c);
-    addTriangle(mesh, a, c, d);
-}
-
-/// Angle of step i of n around a full turn. The last step gives the bits of the first, so that seams close.
-glm::vec2 circlePoint(int i, int n) {
-    const double angle_rad = 2.0 * glm::pi<double>() * double(i % n) / double(n);
-    return {float(std::cos(angle_rad)), float(std::sin(angle_rad))};
-}
-
 /// A grid of (columns + 1) x (rows + 1) vertices. `point(column, row)` gives position, normal and uv; neighbouring rows
 /// that meet in a pole give triangles instead of quads.
 template <typename F>
@@ -80,19 +50,18 @@ Mesh floor(float size, float y, int count) {
 }
 
 Mesh box(const glm::vec3& lower, const glm::vec3& upper, bool inward) {
-    const glm::vec3 s = upper - lower;
-    const glm::vec3 x(s.x, 0, 0), y(0, s.y, 0), z(0, 0, s.z);
-    const struct {
-        glm::vec3 corner, u, v;
-    } faces[6] = {{lower + z, x, y}, {lower + x, -x, y},     {lower + x + z, -z, y},
-                  {lower, z, y},     {lower + y + z, x, -z}, {lower, x, z}};
+    // Corners by number: bits 0, 1 and 2 choose the upper x, y and z; all faces share their bits.
+    const auto corner = [&](int i) {
+        return glm::vec3(i & 1 ? upper.x : lower.x, i & 2 ? upper.y : lower.y, i & 4 ? upper.z : lower.z);
+    };
+    constexpr int kFaces[6][4] = {{4, 5, 7, 6}, {1, 0, 2, 3}, {5, 1, 3, 7}, {0, 4, 6, 2}, {6, 7, 3, 2}, {0, 1, 5, 4}};
     Mesh mesh;
-    for (const auto& f : faces) {
-        // The same face from the other side: start at the far end of u and walk back.
+    for (const auto& f : kFaces) {
+        // The same face from the other side: start at the second corner and walk back.
         if (inward)
-            addQuad(mesh, f.corner + f.u, -f.u, f.v);
+            addFace(mesh, corner(f[1]), corner(f[0]), corner(f[3]), corner(f[2]));
         else
-            addQuad(mesh, f.corner, f.u, f.v);
+            addFace(mesh, corner(f[0]), corner(f[1]), corner(f[2]), corner(f[3]));
     }
     return mesh;
 }

@@ -36,4 +36,27 @@ Mesh bowl(const glm::vec3& center, float radius, int slices = 48, int stacks = 1
 /// Closed: a Menger sponge standing on y = `bottom` about the vertical axis, only the faces that are outside.
 Mesh mengerSponge(int level, float side, float bottom);
 
+/// Closed: a straight tube with flat ends, its radius going from `startRadius` to `endRadius`.
+Mesh tube(const glm::vec3& start, const glm::vec3& end, float startRadius, float endRadius, int slices = 16);
+
+/// Closed: a ring about the z axis through `center`; `sides` around its own section.
+Mesh torus(const glm::vec3& center, float radius, float thickness, int slices = 64, int sides = 10);
+
+/// Closed: the outline (counter-clockwise seen from +z, not crossing itself, star-shaped about its first corner) drawn
+/// from z = 0 to z = `depth`.
+Mesh prism(const std::vector<glm::vec2>& outline, float depth);
+
+/// Closed: a wall from `lower` to `upper` (in x and y) and from z = 0 to z = `depth` with a rectangular opening.
+Mesh wallWithOpening(const glm::vec2& lower, const glm::vec2& upper, const glm::vec2& openingLower,
+                     const glm::vec2& openingUpper, float depth);
+
+/// Closed: half a ring that stands on y = 0 with its feet about x = 0 and x = `span`, from z = 0 to z = `depth`.
+Mesh arch(float span, float thickness, float depth, int steps = 16);
+
+/// Open, both sides alike: a rectangle whose texture is shown once.
+Mesh card(const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v);
+
+/// Puts a mesh's triangles behind those of another.
+void append(Mesh& mesh, const Mesh& other);
+
 }  // namespace ombrage::shapes

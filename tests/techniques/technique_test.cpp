@@ -100,10 +100,18 @@ protected:
 };
 
 TEST_P(EveryTechnique, MeetsItsBudgets) {
+    json lastRun;
+    Metrics metrics;
+    std::size_t valid = 0;
     for (const json& budget : technicalSheet(info()).value("budgets", json::array())) {
-        const RenderResult result = render(budget);
-        std::size_t valid = 0;
-        const Metrics metrics = measure(budget, measuredPlane(result, info().family), result, &valid);
+        // Budgets of one run stand together and share it.
+        json run = budget;
+        for (const char* key : {"metric", "max", "min", "reason"}) run.erase(key);
+        if (run != lastRun) {
+            const RenderResult result = render(budget);
+            metrics = measure(budget, measuredPlane(result, info().family), result, &valid);
+            lastRun = run;
+        }
         const std::string metric = budget.at("metric");
         ASSERT_TRUE(metrics.count(metric)) << metric;
         EXPECT_GE(valid, 10000u) << budget.dump();

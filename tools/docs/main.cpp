@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // usage: ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures]
-// Writes the techniques' part of the manual: an index and one page per technique, made of its manual page, its declaration and,
-// with --pictures, a picture that the program renders.
+// Writes the generated parts of the manual: OUTPUT_DIR/techniques, an index and one page per technique, made of its manual page and
+// its declaration; OUTPUT_DIR/scenes, the page of the built-in scenes; with --pictures also what the program renders for them.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,6 +13,7 @@
 
 #include "core/strings.h"
 #include "render/technique.h"
+#include "scene_pages.h"
 
 namespace {
 
@@ -108,13 +109,17 @@ int main(int argc, char** argv) {
     try {
         if (argc < 3) throw Error(ErrorCode::Usage, "too few arguments", "ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures]");
         const fs::path source = argv[1], output = argv[2];
-        fs::create_directories(output / "images");
-        writeText(output / "README.md", indexOf());
-        for (const TechniqueInfo& info : techniques()) writeText(output / (fileName(info) + ".md"), pageOf(info, source));
+        const fs::path techniquePages = output / "techniques", scenePages = output / "scenes";
+        for (const fs::path& folder : {techniquePages, scenePages}) fs::create_directories(folder / "images");
+        writeText(techniquePages / "README.md", indexOf());
+        for (const TechniqueInfo& info : techniques())
+            writeText(techniquePages / (fileName(info) + ".md"), pageOf(info, source));
+        writeText(scenePages / "README.md", docs::scenesPage(source));
         if (argc > 3 && std::string(argv[3]) == "--pictures") {
             Renderer renderer;
             for (const TechniqueInfo& info : techniques())
-                renderPicture(renderer, info, output / "images" / (fileName(info) + ".png"));
+                renderPicture(renderer, info, techniquePages / "images" / (fileName(info) + ".png"));
+            docs::renderScenePictures(source, scenePages / "images");
         }
         return 0;
     } catch (const Error& e) {
