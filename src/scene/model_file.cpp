@@ -19,6 +19,7 @@
 #include "scene/gltf_extras.h"
 #include "scene/mesh_build.h"
 #include "scene/model_materials.h"
+#include "scene/recording_io.h"
 
 namespace ombrage {
 
@@ -219,6 +220,7 @@ ModelFile readModelFile(const std::filesystem::path& file) {
     if (extension == ".md2") checkMd2Head(content, file);
 
     Assimp::Importer importer;
+    importer.SetIOHandler(new RecordingIo);  // the importer owns it
     importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* source = importer.ReadFile(
         file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_ValidateDataStructure);
