@@ -78,6 +78,8 @@ std::string JsonNode::text() const {
 std::string JsonNode::name() const {
     const std::string value = text();
     if (trim(value).empty()) throw error("the text is empty");
+    // The system would read a file's name only up to it.
+    if (value.find('\0') != std::string::npos) throw error("the text holds a zero byte");
     return value;
 }
 

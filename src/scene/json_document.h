@@ -49,7 +49,7 @@ public:
     bool isNumber() const { return m_value->is_number(); }
     bool boolean() const;
     std::string text() const;
-    /// A text that is not empty.
+    /// A text that is not empty and holds no zero byte.
     std::string name() const;
     /// One of the choices, or an error with a suggestion; `kind` names them in the message.
     std::string choice(const std::string& kind, const std::vector<std::string>& choices) const;

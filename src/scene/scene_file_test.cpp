@@ -20,6 +20,10 @@ struct BadScene {
 
 const BadScene kBadScenes[] = {
     {"Syntax", "{\n \"models\": [ ,\n", ":2", "not valid JSON", ""},
+    {"ZeroInName", "{\"models\": [\n{\"file\": \"t.obj\\u0000.png\"}]}", ":2: /models/0/file", "zero byte", ""},
+    {"NumberOverflows", "{@,\n \"ambient\": 1e999}", ":3", "not valid JSON: number overflow parsing '1e999'", ""},
+    {"DeepNesting", "{@,\n\"x\":[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[[1]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]]}", ":3: /x/0/0",
+     "nested more than 32 deep", ""},
     {"NotAnObject", "[]", ":1: /", "expected an object, found a list", ""},
     {"NoModels", "{\n}", ":1: /", "the key 'models' is missing", ""},
     {"EmptyModels", "{\n \"models\": []}", ":2: /models", "at least one model", ""},
@@ -98,6 +102,18 @@ TEST_P(BadScenes, NameFileLineAndPath) {
 
 INSTANTIATE_TEST_SUITE_P(All, BadScenes, testing::ValuesIn(kBadScenes),
                          [](const auto& test) { return std::string(test.param.name); });
+
+TEST(SceneFile, ZeroBytesBehindAreNotIgnored) {
+    const TestFolder folder;
+    folder.write("t.obj", kTriangleObj);
+    const std::string file = folder.write("s.json", std::string("{\"models\": [{\"file\": \"t.obj\"}]}\n\0\0", 34));
+    try {
+        loadScene(file);
+        FAIL() << "no error";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.where(), file + ":2");
+    }
+}
 
 TEST(SceneFile, ReadsEveryKey) {
     const TestFolder folder;

@@ -103,6 +103,7 @@ Outcome tryCase(const Case& test, const std::string& program, const fs::path& wo
     else
         command.insert(command.end(), {"render", file.string(), "-o", picture.string(), "--size", "48x32"});
     command.insert(command.end(), test.extra.begin(), test.extra.end());
+    if (!test.good.cut.empty()) command.push_back("--allow-outside");  // its neighbours are links
     Outcome outcome;
     outcome.run = run(command, work, kLongest_s + 5);
     judge(test, file, picture, outcome);

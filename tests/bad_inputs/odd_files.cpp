@@ -146,7 +146,8 @@ std::vector<OddFile> writeDegenerateFiles(const fs::path& folder) {
     std::vector<OddFile> files;
     for (const auto& [name, text] : texts) {
         writeFile(folder / (name + ".obj"), good + text);
-        files.push_back({folder / (name + ".obj"), true});
+        // Indices beyond the list may be refused; what is there is not what the author meant.
+        files.push_back({folder / (name + ".obj"), name != "index-beyond"});
     }
     return files;
 }
