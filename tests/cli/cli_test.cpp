@@ -109,6 +109,45 @@ TEST_F(Cli, NoCommandIsWrongUsage) {
     EXPECT_NE(result.err.find("compare"), std::string::npos);
 }
 
+TEST_F(Cli, StateErrorsNameTheLine) {
+    const auto errorOf = [&](const std::string& text) {
+        std::ofstream(m_folder / "s.json", std::ios::binary) << text;
+        const Result result = run({"render", "gap", "-o", "x.png", "--state", "s.json"});
+        EXPECT_NE(result.code, 0) << text;
+        EXPECT_EQ(result.err.find("json.exception"), std::string::npos) << result.err;
+        return result.err;
+    };
+    EXPECT_NE(errorOf("{\n\"seed\": }").find("s.json:2"), std::string::npos);
+    EXPECT_NE(errorOf("{\n\n\"seed\": 1e999}").find("s.json:3"), std::string::npos);
+    EXPECT_NE(errorOf("{\n\"sede\": 1}").find("s.json:2: /sede"), std::string::npos);
+    EXPECT_NE(errorOf("{\"seed\": 1,\n\"seed\": 2}").find("s.json:2: /seed"), std::string::npos);
+    EXPECT_NE(errorOf("{\"size\":\n[{}, 2]}").find("s.json:2: /size"), std::string::npos);
+    EXPECT_NE(errorOf(std::string("{}\n\0", 4)).find("s.json:2"), std::string::npos);
+    EXPECT_EQ(run({"render", "gap", "-o", "x.png", "--state", "/dev/zero"}).code, 3);
+}
+
+TEST_F(Cli, APictureThatNoMemoryHoldsIsRefused) {
+    // The largest size takes 25 GiB: on a machine that has them nothing is asked.
+    if (double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) > 25.0 * 1024 * 1024 * 1024)
+        GTEST_SKIP() << "SKIPPED: this machine has memory for the largest picture";
+    const Result result = run({"render", "gap", "-o", "x.png", "--size", "16384x16384"});
+    EXPECT_EQ(result.code, 4);
+    EXPECT_NE(result.err.find("needs about 25 GiB"), std::string::npos) << result.err;
+}
+
+TEST_F(Cli, InterruptingEndsAnImport) {
+    std::ofstream(m_folder / "t.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::ofstream(m_folder / "sleeper") << "#!/bin/sh\necho $$ > \"" << (m_folder / "pid").string()
+                                        << "\"\nexec sleep 60\n";
+    fs::permissions(m_folder / "sleeper", fs::perms::owner_all);
+    const pid_t child =
+        start({"render", "t.obj", "-o", "x.png"}, {{"OMBRAGE_IMPORT", (m_folder / "sleeper").string()}});
+    while (content(m_folder / "pid").empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kill(child, SIGINT);
+    EXPECT_EQ(finish(child).code, 130);
+    EXPECT_NE(kill(std::stoi(content(m_folder / "pid")), 0), 0) << "the importing process lives on";
+}
+
 TEST_F(Cli, MisspeltNamesAreSuggested) {
     expectUsageError({"rendr", "gap"}, "did you mean 'render'?");
     expectUsageError({"render", "gap", "-o", "x.png", "--shadwo", "y"}, "did you mean '--shadow'?");
