@@ -32,7 +32,7 @@ struct Case {
     fs::path file;
     std::vector<std::string> extra;  ///< options; with some, "render" is used, else "reference", which needs no OpenGL
     bool mustLoad = false;
-    std::string cutContent;  ///< set: written into a folder of its own with links to the others of `good`
+    std::size_t cutLength = 0;  ///< of `good`: cut in a folder of its own, with links to its neighbours
     GoodFile good;
 };
 
@@ -92,7 +92,7 @@ Outcome tryCase(const Case& test, const std::string& program, const fs::path& wo
         for (const auto& entry : fs::directory_iterator(test.good.folder))
             if (entry.path().filename() != test.good.cut)
                 fs::create_symlink(fs::absolute(entry.path()), folder / entry.path().filename());
-        writeFile(folder / test.good.cut, test.cutContent);
+        writeFile(folder / test.good.cut, readFile(test.good.folder / test.good.cut).substr(0, test.cutLength));
         file = folder / test.good.opened;
     }
     const fs::path picture = work / "picture.exr";
@@ -123,11 +123,11 @@ void addCuts(std::vector<Case>& cases, const std::vector<GoodFile>& files, int c
                              {},
                              {},
                              false,
-                             content.substr(0, length),
+                             length,
                              good});
         }
         // The whole file must read, or the cuts prove nothing.
-        cases.push_back({"cut " + good.kind, "whole", {}, {}, true, content, good});
+        cases.push_back({"cut " + good.kind, "whole", {}, {}, true, content.size(), good});
     }
 }
 
@@ -137,7 +137,7 @@ void addTree(std::vector<Case>& cases, const fs::path& folder) {
         if (entry.is_regular_file()) files.push_back(entry.path());
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files)
-        cases.push_back({"malformed", fs::relative(file, folder).string(), file, {}, false, {}, {}});
+        cases.push_back({"malformed", fs::relative(file, folder).string(), file, {}, false, 0, {}});
 }
 
 /// Every technique there is, as options of "render".
@@ -158,9 +158,9 @@ void addDegenerate(std::vector<Case>& cases, const fs::path& folder,
                    const std::vector<std::vector<std::string>>& techniques) {
     for (const OddFile& odd : writeDegenerateFiles(folder)) {
         const std::string name = odd.path.filename().string();
-        cases.push_back({"degenerate", name + " truth", odd.path, {}, odd.mustLoad, {}, {}});
+        cases.push_back({"degenerate", name + " truth", odd.path, {}, odd.mustLoad, 0, {}});
         for (const auto& options : techniques)
-            cases.push_back({"degenerate", name + " " + options[1], odd.path, options, odd.mustLoad, {}, {}});
+            cases.push_back({"degenerate", name + " " + options[1], odd.path, options, odd.mustLoad, 0, {}});
     }
 }
 
