@@ -60,6 +60,7 @@ void GeometryPass::draw(FrameContext& frame) const {
 
     const std::string normals = std::to_string(int(frame.normals));
     const auto draw = [&](DrawFilter::Alpha alpha, std::vector<std::pair<std::string, std::string>> defines) {
+        if (frame.gpuScene->hasVertexColors()) defines.emplace_back("VERTEX_COLORS", "1");
         frame.program({{GL_VERTEX_SHADER, "ombrage/gbuffer.vert"}, {GL_FRAGMENT_SHADER, "ombrage/gbuffer.frag"}}, std::move(defines));
         const DrawCounts counts = frame.gpuScene->draw({.alpha = alpha}, false);
         frame.countDraw(counts.draws, counts.triangles);

@@ -83,6 +83,9 @@ void GpuScene::uploadMeshes() {
     std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> triangleNormals;
+    const bool colored = std::any_of(m_scene->meshes.begin(), m_scene->meshes.end(),
+                                     [](const Mesh& mesh) { return !mesh.colors.empty(); });
+    std::vector<std::uint64_t> colors;
     for (const Mesh& mesh : m_scene->meshes) {
         const auto firstVertex = std::uint32_t(positions.size());
         m_meshFirstVertex.push_back(firstVertex);
@@ -90,6 +93,9 @@ void GpuScene::uploadMeshes() {
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             attributes.push_back({mesh.normals[v], mesh.tangents[v], mesh.uvs[v]});
+        for (std::size_t v = 0; colored && v < mesh.positions.size(); ++v)
+            colors.push_back(
+                glm::packHalf4x16(glm::vec4(mesh.colors.empty() ? glm::vec3(1.0f) : mesh.colors[v], 1.0f)));
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             glm::dvec3 corner[3];
             for (std::size_t k = 0; k < 3; ++k) {
@@ -105,6 +111,7 @@ void GpuScene::uploadMeshes() {
     }
     m_positions = gl::Buffer::from(positions, "scene positions");
     m_attributes = gl::Buffer::from(attributes, "scene attributes");
+    if (colored) m_colors = gl::Buffer::from(colors, "scene colours");
     m_indices = gl::Buffer::from(indices, "scene indices");
     m_triangleNormals = gl::Buffer::from(triangleNormals, "scene triangle normals");
 }
@@ -138,6 +145,18 @@ void GpuScene::uploadInstances() {
     const gl::VertexBinding instanceId{2, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1};
     m_positionArray = gl::VertexArray({position, instanceId}, {{0, 3, GL_FLOAT, 0, 0}, {4, 1, GL_UNSIGNED_INT, 0, 2}},
                                       m_indices.id());
+    if (hasVertexColors()) {
+        const gl::VertexBinding color{3, m_colors.id(), 0, sizeof(std::uint64_t), 0};
+        m_fullArray = gl::VertexArray({position, attribute, instanceId, color},
+                                      {{0, 3, GL_FLOAT, 0, 0},
+                                       {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
+                                       {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
+                                       {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1},
+                                       {4, 1, GL_UNSIGNED_INT, 0, 2},
+                                       {5, 4, GL_HALF_FLOAT, 0, 3}},
+                                      m_indices.id());
+        return;
+    }
     m_fullArray = gl::VertexArray({position, attribute, instanceId},
                                   {{0, 3, GL_FLOAT, 0, 0},
                                    {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
@@ -244,7 +263,7 @@ DrawCounts GpuScene::draw(const DrawFilter& filter, bool positionsOnly) {
 
 std::uint64_t GpuScene::gpuBytes() const {
     std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() +
-                          m_materials.size() + m_triangleNormals.size();
+                          m_materials.size() + m_triangleNormals.size() + m_colors.size();
     for (const gl::Texture& texture : m_textures) bytes += gl::byteSize(texture.desc());
     return bytes;
 }

@@ -50,6 +50,8 @@ public:
     glm::vec3 casterLower() const { return m_casterLower; }
     glm::vec3 casterUpper() const { return m_casterUpper; }
     bool hasAlphaMask() const { return m_hasAlphaMask; }
+    /// Some mesh has colours: the full vertex array then has them at location 5, white for the other meshes.
+    bool hasVertexColors() const { return bool(m_colors); }
 
     const gl::Buffer& vertices() const { return m_positions; }   ///< vec3 local, tightly packed
     const gl::Buffer& indices() const { return m_indices; }      ///< uint32, global vertex indices
@@ -90,6 +92,7 @@ private:
 
     std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
     gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds, m_triangleNormals, m_exclusions;
+    gl::Buffer m_colors;
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     gl::Texture m_white, m_flatNormal;

@@ -14,6 +14,9 @@ in vec3 v_normal;
 in vec4 v_tangent;
 in vec2 v_uv;
 flat in uint v_instance;
+#ifdef VERTEX_COLORS
+in vec3 v_color;
+#endif
 
 layout(location = 0) out vec4 o_normals;
 layout(location = 1) out vec4 o_albedo;
@@ -67,6 +70,9 @@ void main() {
     if (turned) n_s = -n_s;
 
     vec4 base = m.baseColor;
+#ifdef VERTEX_COLORS
+    base.rgb *= v_color;
+#endif
     if ((m.textures.x & 1u) != 0u) base *= texture(t_baseColor, v_uv);
     float metallic = m.surface.x, roughness = m.surface.y;
     if ((m.textures.x & 8u) != 0u) {
