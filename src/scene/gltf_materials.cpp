@@ -7,7 +7,6 @@
 
 #include <ombrage/error.h>
 
-#include "scene/gltf_resource.h"
 #include "scene/material_textures.h"
 
 namespace ombrage {

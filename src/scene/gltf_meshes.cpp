@@ -52,12 +52,22 @@ public:
                     m_model.parts.push_back({made, pose ? glm::dmat4(1.0) : placed.worldFromNode});
             }
         }
+        if (m_model.parts.empty() && m_leftOut == 0) readUnplaced();
         if (m_leftOut > 0)
             m_model.warnings.push_back(std::to_string(m_leftOut) + " primitives of points or lines are left out");
         if (m_colorAlpha) m_model.warnings.push_back("the opacity of vertex colours is not used");
     }
 
 private:
+    /// A file whose scene shows no mesh is a collection of meshes.
+    void readUnplaced() {
+        const GltfJson& meshes = gltfMember(m_document.root(), "meshes");
+        if (!meshes.is_array() || meshes.empty()) m_document.fail("/meshes", "the file has no meshes");
+        m_model.warnings.push_back("no node of the file's scene shows a mesh; all meshes stand at the origin");
+        for (std::size_t i = 0; i < meshes.size(); ++i)
+            for (const int made : sharedMeshes(i)) m_model.parts.push_back({made, glm::dmat4(1.0)});
+    }
+
     const std::vector<int>& sharedMeshes(std::size_t number) {
         const auto found = m_shared.find(number);
         if (found != m_shared.end()) return found->second;

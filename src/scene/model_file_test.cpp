@@ -92,11 +92,11 @@ TEST(Mtl, ReadsMapsAndTheirOptions) {
     const MtlMaterial& a = library.at("a b");
     EXPECT_EQ(*a.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(*a.opacity, 0.75f);
-    EXPECT_EQ(a.diffuseMap, "my tex.png");
-    EXPECT_EQ(a.heightMap, "h.png");
-    EXPECT_EQ(a.bumpMultiplier, 0.5f);
-    EXPECT_EQ(a.normalMap, "n.png");
-    EXPECT_EQ(library.at("c").opacityMap, "d.png");
+    EXPECT_EQ(a.diffuseMap.file, "my tex.png");
+    EXPECT_EQ(a.heightMap.file, "h.png");
+    EXPECT_EQ(a.heightMap.bumpMultiplier, 0.5f);
+    EXPECT_EQ(a.normalMap.file, "n.png");
+    EXPECT_EQ(library.at("c").opacityMap.file, "d.png");
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0].substr(0, 8), "x.mtl:8:");
 }
