@@ -16,10 +16,19 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kMostRows = 40;
 constexpr double kDegrees = 57.29577951308232;
 
+/// The shortest number that reads back as the same float.
+Json numberJson(float value) {
+    return Json::parse(fmt::format("{}", value), nullptr, false);
+}
+
+Json numberJson(double value) {
+    return value;
+}
+
 template <typename V>
 Json vectorJson(const V& v) {
     Json json = Json::array();
-    for (int i = 0; i < V::length(); ++i) json.push_back(v[i]);
+    for (int i = 0; i < V::length(); ++i) json.push_back(numberJson(v[i]));
     return json;
 }
 
@@ -53,14 +62,14 @@ Json lightJson(const Light& light) {
     if (light.type != LightType::Sun) json["position"] = vectorJson(light.position);
     if (light.type != LightType::Point) json["direction"] = vectorJson(light.direction);
     json["color"] = vectorJson(light.color);
-    json["intensity"] = light.intensity;
+    json["intensity"] = numberJson(light.intensity);
     if (light.type == LightType::Sun)
         json["angle_deg"] = light.angle_rad * kDegrees;
     else if (light.type == LightType::Rect)
         json["size_m"] = vectorJson(light.size_m);
     else
-        json["radius_m"] = light.radius_m;
-    if (std::isfinite(light.range_m)) json["range_m"] = light.range_m;
+        json["radius_m"] = numberJson(light.radius_m);
+    if (std::isfinite(light.range_m)) json["range_m"] = numberJson(light.range_m);
     if (light.type == LightType::Spot) {
         json["inner_deg"] = light.inner_rad * kDegrees;
         json["outer_deg"] = light.outer_rad * kDegrees;
@@ -74,16 +83,21 @@ Json cameraJson(const Camera& camera) {
               {"target", vectorJson(camera.target)},
               {"up", vectorJson(camera.up)}};
     if (camera.orthoHeight_m)
-        json["ortho_height_m"] = *camera.orthoHeight_m;
+        json["ortho_height_m"] = numberJson(*camera.orthoHeight_m);
     else
         json["fov_deg"] = camera.fovY_rad * kDegrees;
     return json;
 }
 
 Json infoJson(const Scene& scene, const SceneInfo& info) {
-    Json json{{"schema", "ombrage/info/1"},       {"scene", scene.name},         {"description", scene.description},
-              {"content_hash", info.contentHash}, {"triangles", info.triangles}, {"vertices", info.vertices},
-              {"ao_radius_m", scene.aoRadius_m},  {"ambient", scene.ambient}};
+    Json json{{"schema", "ombrage/info/1"},
+              {"scene", scene.name},
+              {"description", scene.description},
+              {"content_hash", info.contentHash},
+              {"triangles", info.triangles},
+              {"vertices", info.vertices},
+              {"ao_radius_m", numberJson(scene.aoRadius_m)},
+              {"ambient", numberJson(scene.ambient)}};
     json["bounds"] = info.bounds.empty() ? Json(nullptr)
                                          : Json{{"lower", vectorJson(info.bounds.lower)},
                                                 {"upper", vectorJson(info.bounds.upper)},
@@ -134,13 +148,18 @@ Json infoJson(const Scene& scene, const SceneInfo& info) {
     return json;
 }
 
+/// Characters of a UTF-8 text.
+std::size_t lengthOf(const std::string& text) {
+    return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
 /// Rows of columns under a heading; numbers stand on the right. Long tables are cut, and say so.
 std::string table(const std::string& title, const std::vector<std::vector<std::string>>& rows) {
     if (rows.size() < 2) return "";
     std::vector<std::size_t> widths(rows[0].size(), 0);
     const std::size_t shown = std::min(rows.size(), kMostRows + 1);
     for (std::size_t r = 0; r < shown; ++r)
-        for (std::size_t c = 0; c < rows[r].size(); ++c) widths[c] = std::max(widths[c], rows[r][c].size());
+        for (std::size_t c = 0; c < rows[r].size(); ++c) widths[c] = std::max(widths[c], lengthOf(rows[r][c]));
     std::string text = fmt::format("\n{} ({})\n", title, rows.size() - 1);
     for (std::size_t r = 0; r < shown; ++r) {
         std::string line = " ";

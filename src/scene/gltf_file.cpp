@@ -14,6 +14,13 @@ ModelFile readGltf(const std::string& content, const std::filesystem::path& file
     const std::vector<GltfUv> uvs = readGltfMaterials(document, model);
     readGltfMeshes(document, nodes, uvs, model);
     readGltfLights(document, nodes, model);
+    std::vector<bool> used(uvs.size(), false);
+    for (const Mesh& mesh : model.meshes)
+        if (mesh.material >= 0) used[std::size_t(mesh.material)] = true;
+    for (std::size_t i = 0; i < uvs.size(); ++i)
+        if (used[i] && uvs[i].differ)
+            model.warnings.push_back("material '" + model.materials[i].name +
+                                     "' places its textures differently; all are placed as the first");
     // Primitives without a material share a plain one, as glTF 2.0 gives it.
     for (Mesh& mesh : model.meshes) {
         if (mesh.material >= 0) continue;

@@ -23,21 +23,22 @@ GltfUv uvOf(const GltfJson& texture) {
     return uv;
 }
 
-GltfUv materialUv(const GltfJson& material, std::vector<std::string>& warnings) {
+GltfUv materialUv(const GltfJson& material) {
     const GltfJson& pbr = gltfMember(material, "pbrMetallicRoughness");
+    const GltfJson& glossy = gltfMember(gltfMember(material, "extensions"), "KHR_materials_pbrSpecularGlossiness");
     std::optional<GltfUv> first;
     bool differ = false;
-    for (const GltfJson* texture : {&gltfMember(pbr, "baseColorTexture"), &gltfMember(pbr, "metallicRoughnessTexture"),
+    for (const GltfJson* texture : {&gltfMember(pbr, "baseColorTexture"), &gltfMember(glossy, "diffuseTexture"),
+                                    &gltfMember(pbr, "metallicRoughnessTexture"),
                                     &gltfMember(material, "normalTexture"), &gltfMember(material, "emissiveTexture")}) {
         if (!texture->is_object()) continue;
         const GltfUv uv = uvOf(*texture);
         differ = differ || (first && *first != uv);
         if (!first) first = uv;
     }
-    if (differ)
-        warnings.push_back("material '" + gltfText(gltfMember(material, "name"), "") +
-                           "' places its textures differently; all are placed as the first");
-    return first.value_or(GltfUv{});
+    GltfUv result = first.value_or(GltfUv{});
+    result.differ = differ;
+    return result;
 }
 
 class MaterialReader {
@@ -138,7 +139,7 @@ std::vector<GltfUv> readGltfMaterials(GltfDocument& document, ModelFile& model) 
     for (std::size_t i = 0; materials.is_array() && i < materials.size(); ++i) {
         const std::string place = "/materials/" + std::to_string(i);
         model.materials.push_back(reader.read(materials[i], place));
-        uvs.push_back(materialUv(materials[i], model.warnings));
+        uvs.push_back(materialUv(materials[i]));
     }
     pictures.finish(model);
     compactTextures(model.textures, model.materials);

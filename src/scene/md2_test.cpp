@@ -35,7 +35,7 @@ std::string smallMd2(const std::string& skin) {
         frameName.resize(16, '\0');
         bytes += frameName;
         // Quake's X forward, Y left, Z up; clockwise seen from +X.
-        put<std::uint8_t>(bytes, {1, 0, 0, 0, 1, 0, 2, 0, 1, 1, 0, 0});
+        put<std::uint8_t>(bytes, {1, 0, 0, 0, 1, 2, 0, 0, 1, 1, 1, 0});
     }
     return bytes;
 }
@@ -78,8 +78,13 @@ TEST(Md2, FrontFacesAndTextureCoordinates) {
     ASSERT_EQ(mesh.triangleCount(), 1u);
     // Stored as 0, 1, 2, which is counter-clockwise from the front here: Quake shows its other side.
     EXPECT_LT(mesh.normals[0].z, -0.99f);
-    for (std::size_t i = 0; i < 3; ++i)
-        if (mesh.positions[i] == glm::vec3(2, 1, 1)) EXPECT_EQ(mesh.uvs[i], glm::vec2(32.5f / 64, 0.5f / 32));
+    std::size_t found = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (mesh.positions[i] != glm::vec3(2, 1, 1)) continue;
+        ++found;
+        EXPECT_EQ(mesh.uvs[i], glm::vec2(32.5f / 64, 0.5f / 32));
+    }
+    EXPECT_EQ(found, 1u);
     EXPECT_TRUE(std::any_of(scene.warnings.begin(), scene.warnings.end(),
                             [](const std::string& w) { return w.find("'nowhere' is missing") != std::string::npos; }));
 }
