@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -24,11 +25,13 @@ struct FrameContext::Recorder {
     };
 
     gl::GpuTimer* timer = nullptr;
+    bool timesPasses = true;                      ///< else the whole frame is one span
     std::vector<PassWork> passes;                 ///< of this frame, in order
     std::map<std::string, double> counters;       ///< of this frame
     std::set<std::string> wanted;
     bool wantsAll = false;
     bool capturing = false;                       ///< this frame's intermediates are kept
+    std::optional<LightType> lightType;           ///< of the light whose shadow is being made
     std::string suffix;                           ///< "@lamp" while a light beyond the first is drawn
     std::map<std::string, ShownImage> shown;
     std::vector<std::string> warnings;            ///< each once

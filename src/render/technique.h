@@ -119,6 +119,7 @@ struct TechniqueTraits {
     Domain domain;
     std::vector<PassInfo> passes;      ///< every name that the technique exposes
     bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
+    bool neutral = false;              ///< changes nothing (visibility 1, radiance 0, the input): rendering may leave it out
 };
 
 /// A row of the generated table.
