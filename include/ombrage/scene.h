@@ -56,6 +56,7 @@ struct Mesh {
     std::vector<glm::vec4> tangents;  ///< xyz unit, to growing u; bitangent = w * cross(normal, tangent), w = +-1,
                                       ///< points up in the texture, to smaller v (as in glTF)
     std::vector<glm::vec2> uvs;       ///< v = 0 is the top row of a texture
+    std::vector<glm::vec3> colors;    ///< linear, multiplies the base colour; empty: white
     std::vector<std::uint32_t> indices;
     int material = 0;
 

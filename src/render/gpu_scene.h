@@ -64,6 +64,8 @@ public:
     glm::vec3 casterLower() const { return m_casterLower; }
     glm::vec3 casterUpper() const { return m_casterUpper; }
     bool hasAlphaMask() const { return m_hasAlphaMask; }
+    /// Some mesh has colours: the full vertex array then has them at location 11, white for the other meshes.
+    bool hasVertexColors() const { return bool(m_colors); }
     /// Whether lighting has any of it to do.
     bool hasSpecular() const { return m_hasSpecular; }
     bool hasEmission() const { return m_hasEmission; }
@@ -110,6 +112,7 @@ private:
 
     std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
     gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_triangles, m_exclusions;
+    gl::Buffer m_colors;   ///< half floats; empty when no mesh has any
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     std::map<DrawFilter, std::vector<DrawBatch>> m_batches;

@@ -32,8 +32,8 @@ void fields(Archive& archive, T& material) {
 
 template <typename Archive, Is<Mesh> T>
 void fields(Archive& archive, T& mesh) {
-    auto& [name, positions, normals, tangents, uvs, indices, material] = mesh;
-    archive(name, positions, normals, tangents, uvs, indices, material);
+    auto& [name, positions, normals, tangents, uvs, colors, indices, material] = mesh;
+    archive(name, positions, normals, tangents, uvs, colors, indices, material);
 }
 
 template <typename Archive, Is<Instance> T>

@@ -121,7 +121,7 @@ TEST(SceneFile, ReadsEveryKey) {
     const std::string file = folder.write("s.json", R"({
       "$schema": "x", "name": "all", "description": "d", "ambient": 0.5, "ao_radius_m": 0.25,
       "models": [ {"file": "t.obj", "position": [1, 2, 3], "rotation_deg": [90, 90, 0], "scale": 2, "casts": false},
-                  {"file": "t.obj", "receives": false, "skin": "a.pcx", "fps": 10, "clip": "walk", "path": [[0,0,0],[1,0,0]]} ],
+                  {"file": "t.obj", "receives": false, "fps": 10, "clip": "walk", "path": [[0,0,0],[1,0,0]]} ],
       "lights": [ {"name": "lamp", "type": "point", "position": [2,4,1], "color": [1,0.5,0], "intensity": 40, "radius_m": 0.1, "range_m": 9},
                   {"type": "sun", "direction": [0,-2,0], "angle_deg": 90, "exclude": ["t-2"]},
                   {"type": "spot", "inner_deg": 10, "outer_deg": 45}, {"type": "rect", "size_m": [1, 0.5]} ],
@@ -144,7 +144,7 @@ TEST(SceneFile, ReadsEveryKey) {
     const glm::dvec4 moved = scene.instances[0].worldFromLocal * glm::dvec4(0, 1, 0, 1);
     EXPECT_NEAR(glm::length(glm::dvec3(moved) - glm::dvec3(3, 2, 3)), 0.0, 1e-12);
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_NE(scene.warnings[0].find("skin, fps, clip, path"), std::string::npos);
+    EXPECT_NE(scene.warnings[0].find("fps, clip, path"), std::string::npos);
 
     ASSERT_EQ(scene.lights.size(), 4u);
     EXPECT_EQ(scene.lights[0].radius_m, 0.1f);

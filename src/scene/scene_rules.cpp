@@ -32,6 +32,7 @@ bool isWhole(const Texture& texture) {
 bool isWhole(const Mesh& mesh) {
     const std::size_t count = mesh.positions.size();
     return mesh.normals.size() == count && mesh.tangents.size() == count && mesh.uvs.size() == count &&
+           (mesh.colors.empty() || mesh.colors.size() == count) &&
            count <= std::numeric_limits<std::uint32_t>::max() && mesh.indices.size() % 3 == 0;
 }
 
