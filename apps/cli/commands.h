@@ -21,6 +21,7 @@ struct Command {
 };
 
 Command listCommand();
+Command infoCommand();
 Command doctorCommand();
 Command renderCommand();
 Command referenceCommand();

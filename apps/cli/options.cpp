@@ -2,16 +2,20 @@
 #include "options.h"
 
 #include <ombrage/error.h>
+#include <ombrage/json_lines.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "pipelines.h"
+#include "progress.h"
 
 namespace ombrage::cli {
 
@@ -33,18 +37,35 @@ std::vector<std::string> splitAt(const std::string& text, char separator) {
 }
 
 /// A value of a state file in the form of the command line; arrays of numbers take the separator of their option.
-std::string stateText(const nlohmann::json& value, const std::string& key) {
+std::string stateText(const nlohmann::json& value, const std::string& key, const std::string& where) {
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_integer()) return value.dump();
     if (value.is_number()) return shortest(value.get<double>());
     if (value.is_array()) {
         std::string text;
         for (const auto& element : value)
-            text += (text.empty() ? "" : key == "size" ? "x" : ",") + stateText(element, key);
+            text += (text.empty() ? "" : key == "size" ? "x" : ",") + stateText(element, key, where);
         return text;
     }
     throw Error(ErrorCode::Usage, "the state's \"" + key + "\" is neither text nor a number",
-                "write it as on the command line");
+                "write it as on the command line", where);
+}
+
+/// Refuses a picture that this machine has no memory for: the system would end the program halfway, and others with it.
+void requireMemory(int width, int height) {
+    // Measured: 98 bytes a pixel for a render with software OpenGL at 8192 x 8192.
+    constexpr double kBytesPerPixel = 100, kGiB = 1024.0 * 1024 * 1024;
+    const double needed_GiB = double(width) * double(height) * kBytesPerPixel / kGiB;
+    double available_GiB = double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) / kGiB;
+    std::ifstream info("/proc/meminfo");
+    for (std::string key, unit, value; info >> key >> value && std::getline(info, unit);)
+        if (key == "MemAvailable:") available_GiB = parseNumber(value, key) / (1024.0 * 1024);
+    if (needed_GiB <= available_GiB) return;
+    const auto rounded = [](double gib) { return shortest(std::round(gib * 10) / 10) + " GiB"; };
+    throw Error(ErrorCode::Environment,
+                "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " needs about " +
+                    rounded(needed_GiB) + " of memory, and " + rounded(available_GiB) + " are free",
+                "ask for a smaller --size");
 }
 
 }  // namespace
@@ -187,33 +208,34 @@ void Options::refuseEmptyValues() const {
 void Options::readState() {
     if (!has("state")) return;
     const std::string file = text("state");
-    std::ifstream in(file, std::ios::binary);
-    nlohmann::json json;
-    try {
-        if (!in || std::filesystem::is_directory(file)) throw Error(ErrorCode::Input, "cannot read the state file '" + file + "'", "", file);
-        json = nlohmann::json::parse(in);
-    } catch (const nlohmann::json::exception& e) {
-        throw Error(ErrorCode::Input, std::string("the state file is not JSON: ") + e.what(), "", file);
-    }
+    std::error_code failed;
+    std::ifstream in;
+    // A pipe would make the reading wait for ever, a device may have no end.
+    if (std::filesystem::is_regular_file(file, failed)) in.open(file, std::ios::binary);
+    if (!in.is_open() || !in) throw Error(ErrorCode::Input, "cannot read the state file '" + file + "'", "", file);
+    const std::string content{std::istreambuf_iterator<char>(in), {}};
+    const JsonLines lines(file, content);
+    const auto json = nlohmann::json::parse(content);
     if (!json.is_object())
         throw Error(ErrorCode::Input, "the state file is not a JSON object", "write {\"size\": [640, 360]}", file);
     std::vector<std::string> keys;
     for (const auto& [key, entry] : m_entries)
         if (key != "state") keys.push_back(key);
     for (const auto& [key, value] : json.items()) {
+        const std::string where = lines.where("/" + escapedKey(key));
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
             const Error unknown = unknownName("key", key, keys);
-            throw Error(ErrorCode::Usage, unknown.message(), unknown.hint(), file);
+            throw Error(ErrorCode::Usage, unknown.message(), unknown.hint(), where);
         }
         Entry& target = *m_entries.at(key);
         if (has(key)) continue;  // the command line wins
         if (target.take == Take::Flag) {
-            if (!value.is_boolean()) throw Error(ErrorCode::Usage, "\"" + key + "\" is true or false", "", file);
+            if (!value.is_boolean()) throw Error(ErrorCode::Usage, "\"" + key + "\" is true or false", "", where);
             target.flag = value.get<bool>();
         } else if (target.take == Take::Many && value.is_array()) {
-            for (const auto& element : value) target.values.push_back(stateText(element, key));
+            for (const auto& element : value) target.values.push_back(stateText(element, key, where));
         } else {
-            target.values.push_back(stateText(value, key));
+            target.values.push_back(stateText(value, key, where));
         }
     }
 }
@@ -248,7 +270,13 @@ void addRenderOptions(Options& options) {
 }
 
 SceneOptions sceneOptions(const Options& options) {
-    return {options.flag("allow-outside"), options.flag("ground"), options.point("eye"), options.point("target")};
+    SceneOptions result;
+    result.allowOutside = options.flag("allow-outside");
+    result.ground = options.flag("ground");
+    result.eye = options.point("eye");
+    result.target = options.point("target");
+    result.cancelled = [] { return interrupted(); };
+    return result;
 }
 
 RendererOptions rendererOptions(const Options& options) {
@@ -272,6 +300,7 @@ RenderSettings frameSettings(const Options& options) {
         };
         settings.width = side(parts[0]);
         settings.height = side(parts.size() == 2 ? parts[1] : "");
+        requireMemory(settings.width, settings.height);
     }
     settings.camera = options.text("camera");
     settings.light = options.text("light");

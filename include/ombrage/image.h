@@ -76,11 +76,11 @@ float linearFromSrgb(float encoded);
 Image toLinear(Image image);
 Image toSrgb(Image image);
 
-/// Reads PNG, JPEG, TGA, BMP (planes R,G,B or Y, and A; values in [0,1]; space Srgb) or EXR (its own planes; Linear,
+/// Reads PNG, JPEG, TGA, BMP, PCX (planes R,G,B or Y, and A; values in [0,1]; space Srgb) or EXR (its own planes; Linear,
 /// or Data where it has no R, G and B). The kind is told from the content. @throws Error(Input) naming the file.
 Image readImage(const std::filesystem::path& file);
 
-/// Decodes a PNG, JPEG, TGA or BMP held in memory; `name` is used in errors only.
+/// Decodes a PNG, JPEG, TGA, BMP or PCX held in memory; `name` is used in errors only.
 Image decodeImage(std::span<const unsigned char> bytes, const std::string& name);
 
 /// Writes by extension: .png, .jpg (8 bits, Linear images are sRGB-encoded, Data written as it is, values outside

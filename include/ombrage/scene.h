@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -55,6 +56,7 @@ struct Mesh {
     std::vector<glm::vec4> tangents;  ///< xyz unit, to growing u; bitangent = w * cross(normal, tangent), w = +-1,
                                       ///< points up in the texture, to smaller v (as in glTF)
     std::vector<glm::vec2> uvs;       ///< v = 0 is the top row of a texture
+    std::vector<glm::vec3> colors;    ///< linear, multiplies the base colour; empty: white
     std::vector<std::uint32_t> indices;
     int material = 0;
 
@@ -176,10 +178,18 @@ struct SceneOptions {
     bool ground = false;                     ///< add a floor under a model file
     std::optional<glm::dvec3> eye;           ///< replaces the camera's position
     std::optional<glm::dvec3> target;        ///< replaces the camera's target
+    std::string importer;                    ///< the program that reads files under guard; empty: $OMBRAGE_IMPORT, else
+                                             ///< ombrage-import where it is found; "off": read them in this process
+    std::string cache;                       ///< folder of scenes loaded before; empty: $OMBRAGE_CACHE, else the user's
+                                             ///< cache folder; "off": none
+    std::function<bool()> cancelled;         ///< asked while a guarded import runs; true ends it
 };
 
 /// Opens a built-in scene by name, a scene file (.json) or a model file (framed and lit by default: design section 5).
-/// @throws Error(Usage) for an unknown name, Error(Input) naming file, line and JSON path.
+/// Files are read by another process with limits, so that a damaged one cannot take this one along, and what was read is
+/// kept in a cache that every change of a file invalidates.
+/// @throws Error(Usage) for an unknown name, Error(Input) naming file, line and JSON path (also when the reader crashed,
+/// ran out of time or out of memory), Error(Interrupted) when cancelled.
 Scene loadScene(const std::string& nameOrFile, const SceneOptions& options = {});
 
 struct BuiltinScene {

@@ -12,6 +12,7 @@
 #include <stb/stb_image_write.h>
 
 #include "core/image_exr.h"
+#include "core/image_pcx.h"
 #include "core/strings.h"
 
 namespace ombrage {
@@ -97,6 +98,7 @@ void writeBytes(const std::filesystem::path& file, const std::vector<unsigned ch
 }  // namespace
 
 Image decodeImage(std::span<const unsigned char> bytes, const std::string& name) {
+    if (isPcx(bytes)) return decodePcx(bytes, name);
     int width = 0, height = 0, channels = 0;
     Reading reading{bytes};
     const stbi_io_callbacks callbacks{&Reading::read, &Reading::skip, &Reading::atEnd};

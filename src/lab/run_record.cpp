@@ -57,8 +57,11 @@ auto readDocument(const std::string& text, const std::string& where, const char*
                         "it was written by another version of the program; compare again", where);
         return read(json);
     } catch (const Json::exception& e) {
-        throw Error(ErrorCode::Input, std::string("not a record: ") + e.what(), "delete the line or compare again",
-                    where);
+        // Without the parser's own "[json.exception.NAME.NUMBER] ".
+        const std::string what = e.what();
+        throw Error(ErrorCode::Input,
+                    "not a record: " + what.substr(what.find("] ") == std::string::npos ? 0 : what.find("] ") + 2),
+                    "delete the line or compare again", where);
     }
 }
 

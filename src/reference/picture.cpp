@@ -68,7 +68,10 @@ Image Reference::picture(const Receivers& receivers, const Camera& camera, const
             const auto sampled = [&](int texture) {
                 return texture < 0 ? glm::vec3(1) : textureColor(scene.textures[std::size_t(texture)], uv);
             };
-            radiance = material.baseColor * sampled(material.baseColorTexture) * arriving[i] +
+            glm::vec3 color(1.0f);
+            if (!flat.colors.empty())
+                color = (1 - b.x - b.y) * flat.colors[t.x] + b.x * flat.colors[t.y] + b.y * flat.colors[t.z];
+            radiance = material.baseColor * color * sampled(material.baseColorTexture) * arriving[i] +
                        material.emissive * sampled(material.emissiveTexture);
         }
         for (int c = 0; c < 3; ++c) image.plane(c)[i] = radiance[c];

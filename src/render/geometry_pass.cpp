@@ -26,6 +26,7 @@ std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batc
         define("HEIGHT_MAP");
     if (frame.gbuffer->layout.material && has(3)) define("METALLIC_ROUGHNESS_MAP");
     if (!defines.empty()) define("UV");
+    if (frame.gpuScene->hasVertexColors()) define("VERTEX_COLORS");
     if (frame.gbuffer->layout.material) define("MATERIAL_PLANE");
     return defines;
 }

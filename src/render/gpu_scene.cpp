@@ -94,6 +94,9 @@ void GpuScene::uploadMeshes() {
     std::vector<glm::vec3> positions;
     std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
+    const bool colored = std::any_of(m_scene->meshes.begin(), m_scene->meshes.end(),
+                                     [](const Mesh& mesh) { return !mesh.colors.empty(); });
+    std::vector<std::uint64_t> colors;
     for (const Mesh& mesh : m_scene->meshes) {
         const auto firstVertex = std::uint32_t(positions.size());
         m_meshFirstVertex.push_back(firstVertex);
@@ -101,6 +104,9 @@ void GpuScene::uploadMeshes() {
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             attributes.push_back({mesh.normals[v], mesh.tangents[v], mesh.uvs[v]});
+        for (std::size_t v = 0; colored && v < mesh.positions.size(); ++v)
+            colors.push_back(
+                glm::packHalf4x16(glm::vec4(mesh.colors.empty() ? glm::vec3(1.0f) : mesh.colors[v], 1.0f)));
         for (std::uint32_t index : mesh.indices) indices.push_back(firstVertex + index);
     }
     std::vector<char> solid(m_scene->meshes.size());
@@ -109,6 +115,7 @@ void GpuScene::uploadMeshes() {
     m_positions = gl::Buffer::from(positions, "scene positions");
     m_attributes = gl::Buffer::from(attributes, "scene attributes");
     m_indices = gl::Buffer::from(indices, "scene indices");
+    if (colored) m_colors = gl::Buffer::from(colors, "scene colours");
 }
 
 void GpuScene::uploadTriangles() {
@@ -159,13 +166,17 @@ void GpuScene::uploadInstances() {
 
     m_positionArray =
         vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
-    m_fullArray = vertexArray(
-        {{0, m_positions.id(), 0, sizeof(glm::vec3), 0}, {1, m_attributes.id(), 0, sizeof(VertexAttributes), 0}},
-        {{0, 3, GL_FLOAT, 0, 0},
-         {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
-         {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
-         {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1}},
-        m_indices);
+    std::vector<gl::VertexBinding> bindings{{0, m_positions.id(), 0, sizeof(glm::vec3), 0},
+                                            {1, m_attributes.id(), 0, sizeof(VertexAttributes), 0}};
+    std::vector<gl::VertexAttribute> full{{0, 3, GL_FLOAT, 0, 0},
+                                          {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
+                                          {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
+                                          {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1}};
+    if (hasVertexColors()) {
+        bindings.push_back({3, m_colors.id(), 0, sizeof(std::uint64_t), 0});
+        full.push_back({11, 4, GL_HALF_FLOAT, 0, 3});
+    }
+    m_fullArray = vertexArray(std::move(bindings), std::move(full), m_indices);
 }
 
 gl::VertexArray GpuScene::vertexArray(std::vector<gl::VertexBinding> bindings,
@@ -291,7 +302,7 @@ DrawCounts GpuScene::draw(const DrawBatch& batch, bool positionsOnly) {
 
 std::uint64_t GpuScene::gpuBytes() const {
     std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() +
-                          m_materials.size() + m_triangles.size();
+                          m_materials.size() + m_triangles.size() + m_colors.size();
     for (const gl::Texture& texture : m_textures) bytes += gl::byteSize(texture.desc());
     return bytes;
 }

@@ -77,6 +77,8 @@ public:
     /// Whether the point is in an instance's bounds grown by a margin.
     bool isWithin(std::size_t instance, const glm::vec3& point, float margin_m) const;
     bool hasAlphaMask() const { return m_hasAlphaMask; }
+    /// Some mesh has colours: the full vertex array then has them at location 11, white for the other meshes.
+    bool hasVertexColors() const { return bool(m_colors); }
     /// Whether lighting has any of it to do.
     bool hasSpecular() const { return m_hasSpecular; }
     bool hasEmission() const { return m_hasEmission; }
@@ -127,6 +129,7 @@ private:
     std::vector<bool> m_meshIsSolid;
     std::vector<std::pair<glm::vec3, glm::vec3>> m_instanceBounds;
     gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_triangles, m_exclusions;
+    gl::Buffer m_colors;   ///< half floats; empty when no mesh has any
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     std::map<DrawFilter, std::vector<DrawBatch>> m_batches;

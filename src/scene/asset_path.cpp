@@ -8,12 +8,16 @@
 #include <ombrage/error.h>
 
 #include "core/strings.h"
+#include "scene/load_record.h"
 
 namespace ombrage {
 
 namespace fs = std::filesystem;
 
 namespace {
+/// Indices of 32 bits and the model library's own limits end near here.
+constexpr std::uintmax_t kLargestFile = std::uintmax_t(4) << 30;
+
 bool isFile(const fs::path& path) {
     std::error_code ignored;
     return fs::is_regular_file(path, ignored);
@@ -36,9 +40,8 @@ std::optional<fs::path> findIgnoringCase(const fs::path& folder, const fs::path&
     }
     return isFile(current) ? std::optional(current) : std::nullopt;
 }
-}  // namespace
 
-std::optional<fs::path> findAsset(const fs::path& folder, const std::string& name) {
+std::optional<fs::path> search(const fs::path& folder, const std::string& name) {
     std::string slashes = trim(name);
     // A NUL cannot be part of a file's name; the system would read the text only up to it.
     if (slashes.empty() || slashes.find('\0') != std::string::npos) return std::nullopt;
@@ -50,11 +53,28 @@ std::optional<fs::path> findAsset(const fs::path& folder, const std::string& nam
         if (auto found = findIgnoringCase(folder, path)) return found;
     return findIgnoringCase(folder, path.filename());
 }
+}  // namespace
+
+std::optional<fs::path> findAsset(const fs::path& folder, const std::string& name) {
+    const std::optional<fs::path> found = search(folder, name);
+    LoadRecord::search(folder, name, found);
+    return found;
+}
 
 std::string readWholeFile(const fs::path& file) {
     std::error_code failed;
-    if (fs::is_directory(file, failed))
+    const fs::file_status status = fs::status(file, failed);
+    if (fs::is_directory(status))
         throw Error(ErrorCode::Input, "'" + file.string() + "' is a folder", "name a file in it");
+    // A pipe makes its reader wait, a device may have no end.
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw Error(ErrorCode::Input, "'" + file.string() + "' is not a regular file");
+    if (const std::uintmax_t size = fs::file_size(file, failed); !failed && size > kLargestFile)
+        throw Error(ErrorCode::Input,
+                    "'" + file.string() + "' holds " + std::to_string(size >> 20) + " MiB; files of more than " +
+                        std::to_string(kLargestFile >> 20) + " MiB are not read",
+                    "split it into several models");
+    LoadRecord::content(file);
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream content;
     if (!stream || !(content << stream.rdbuf())) {

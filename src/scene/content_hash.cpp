@@ -34,6 +34,7 @@ void hashMesh(Hasher& hasher, const Mesh& mesh) {
     hasher.array(mesh.normals);
     hasher.array(mesh.tangents);
     hasher.array(mesh.uvs);
+    hasher.array(mesh.colors);
     hasher.array(mesh.indices);
     hasher.value(mesh.material);
 }

@@ -30,6 +30,8 @@ void appendVertices(FlatScene& flat, const Mesh& mesh, const glm::dmat4& originF
         flat.tangents.push_back(glm::vec4(glm::vec3(t), mirrored ? -mesh.tangents[i].w : mesh.tangents[i].w));
     }
     flat.uvs.insert(flat.uvs.end(), mesh.uvs.begin(), mesh.uvs.end());
+    flat.colors.insert(flat.colors.end(), mesh.colors.begin(), mesh.colors.end());
+    if (!flat.colors.empty()) flat.colors.resize(flat.positions.size(), glm::vec3(1.0f));
 }
 }  // namespace
 
@@ -65,6 +67,8 @@ FlatScene flatten(const Scene& scene) {
         out.receives = model.receives;
         out.mirrored = glm::determinant(glm::dmat3(instance.worldFromLocal)) < 0.0;
         out.originFromLocal = glm::mat4(originFromLocal);
+        // The first mesh with colours makes those before it white.
+        if (!mesh.colors.empty()) flat.colors.resize(flat.positions.size(), glm::vec3(1.0f));
         appendVertices(flat, mesh, originFromLocal, out.mirrored);
 
         // A mirrored instance is seen from the other side: swap two corners so that outside stays counter-clockwise.

@@ -26,6 +26,7 @@ struct FlatScene {
     std::vector<glm::vec3> normals;    ///< unit
     std::vector<glm::vec4> tangents;
     std::vector<glm::vec2> uvs;
+    std::vector<glm::vec3> colors;      ///< of the vertices, white where a mesh has none; empty when no mesh has any
     std::vector<glm::uvec3> triangles;  ///< vertex indices, counter-clockwise from outside
     std::vector<std::uint32_t> triangleInstance;
     std::vector<FlatInstance> instances;

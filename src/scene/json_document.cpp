@@ -2,34 +2,12 @@
 #include "scene/json_document.h"
 
 #include <algorithm>
-#include <set>
 
 #include "core/strings.h"
 
 namespace ombrage {
 
 namespace {
-/// Deeper nesting is refused: no scene needs it, and pointers would grow without bound.
-constexpr std::size_t kDeepest = 32;
-
-std::string escapeKey(const std::string& key) {
-    std::string escaped;
-    for (const char c : key) {
-        if (c == '~')
-            escaped += "~0";
-        else if (c == '/')
-            escaped += "~1";
-        else
-            escaped += c;
-    }
-    return escaped;
-}
-
-int lineOfByte(const std::string& text, std::size_t byte) {
-    const std::size_t end = std::min(byte, text.size());
-    return 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(end), '\n'));
-}
-
 const char* typeName(const nlohmann::json& value) {
     if (value.is_number()) return "a number";
     if (value.is_string()) return "a text";
@@ -38,90 +16,13 @@ const char* typeName(const nlohmann::json& value) {
     if (value.is_object()) return "an object";
     return "null";
 }
-
-/// What nlohmann says, without its "[json.exception...] parse error at line 3, column 4: " prefix.
-std::string syntaxMessage(const std::string& what) {
-    const std::size_t cut = what.find(": ");
-    return cut == std::string::npos ? what : what.substr(cut + 2);
-}
 }  // namespace
 
-JsonDocument::JsonDocument(std::string file, const std::string& text) : m_file(std::move(file)) {
-    try {
-        m_root = nlohmann::json::parse(text);
-    } catch (const nlohmann::json::parse_error& e) {
-        const std::size_t byte = e.byte > 0 ? e.byte - 1 : 0;
-        throw Error(ErrorCode::Input, "not valid JSON: " + syntaxMessage(e.what()), {},
-                    m_file + ":" + std::to_string(lineOfByte(text, byte)));
-    } catch (const nlohmann::json::exception& e) {
-        throw Error(ErrorCode::Input, "not valid JSON: " + syntaxMessage(e.what()), {}, m_file);
-    }
-    indexLines(text);
-}
-
-void JsonDocument::indexLines(const std::string& text) {
-    // The text is valid JSON, so brackets, commas and strings alone tell where each value begins.
-    struct Level {
-        bool isObject;
-        std::string pointer;
-        std::size_t index = 0;
-        std::string key;
-        bool expectsKey;
-        std::set<std::string> seen;
-    };
-    std::vector<Level> levels;
-    int line = 1;
-    const auto pointerHere = [&] {
-        if (levels.empty()) return std::string();
-        const Level& level = levels.back();
-        return level.pointer + "/" + (level.isObject ? escapeKey(level.key) : std::to_string(level.index));
-    };
-    const auto stringEnd = [&](std::size_t start) {
-        std::size_t i = start + 1;
-        while (text[i] != '"') i += text[i] == '\\' ? 2 : 1;
-        return i;
-    };
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (c == '\n')
-            ++line;
-        else if (c == '"' && !levels.empty() && levels.back().isObject && levels.back().expectsKey) {
-            // A member's name; names that occur twice would hide a value.
-            const std::size_t end = stringEnd(i);
-            Level& level = levels.back();
-            level.key = nlohmann::json::parse(text.substr(i, end + 1 - i)).get<std::string>();
-            level.expectsKey = false;
-            const std::string pointer = pointerHere();
-            m_lines[pointer] = line;
-            if (!level.seen.insert(level.key).second)
-                throw error(pointer, "the key '" + level.key + "' is given twice", "keep one of the two");
-            i = end;
-        } else if (c == '{' || c == '[') {
-            const std::string pointer = pointerHere();
-            m_lines[pointer] = line;
-            if (levels.size() >= kDeepest)
-                throw error(pointer, "nested more than " + std::to_string(kDeepest) + " deep");
-            levels.push_back({c == '{', pointer, 0, {}, c == '{', {}});
-        } else if (c == '}' || c == ']') {
-            levels.pop_back();
-        } else if (c == ',') {
-            ++levels.back().index;
-            levels.back().expectsKey = levels.back().isObject;
-        } else if (c == '"' || c == '-' || (c >= '0' && c <= '9') || c == 't' || c == 'f' || c == 'n') {
-            m_lines[pointerHere()] = line;
-            if (c == '"')
-                i = stringEnd(i);
-            else
-                i = std::min(text.find_first_of(",]} \t\r\n", i), text.size()) - 1;
-        }
-    }
-}
+JsonDocument::JsonDocument(const std::string& file, const std::string& text)
+    : m_lines(file, text), m_root(nlohmann::json::parse(text)) {}
 
 Error JsonDocument::error(const std::string& pointer, const std::string& message, const std::string& hint) const {
-    const auto found = m_lines.find(pointer);
-    const int line = found == m_lines.end() ? 1 : found->second;
-    return Error(ErrorCode::Input, message, hint,
-                 m_file + ":" + std::to_string(line) + ": " + (pointer.empty() ? "/" : pointer));
+    return m_lines.error(pointer, message, hint);
 }
 
 Error JsonNode::error(const std::string& message, const std::string& hint) const {
@@ -139,7 +40,7 @@ void JsonNode::requireKeys(const std::string& what, const std::vector<std::strin
         const std::string nearest = nearestName(key, known);
         const std::string hint =
             nearest.empty() ? "known keys: " + join(known, ", ") : "did you mean '" + nearest + "'?";
-        throw m_document->error(m_pointer + "/" + escapeKey(key), what + " has no key '" + key + "'", hint);
+        throw m_document->error(m_pointer + "/" + escapedKey(key), what + " has no key '" + key + "'", hint);
     }
 }
 
@@ -147,7 +48,7 @@ std::optional<JsonNode> JsonNode::find(const std::string& key) const {
     requireObject();
     const auto found = m_value->find(key);
     if (found == m_value->end()) return std::nullopt;
-    return JsonNode(*m_document, *found, m_pointer + "/" + escapeKey(key));
+    return JsonNode(*m_document, *found, m_pointer + "/" + escapedKey(key));
 }
 
 JsonNode JsonNode::at(const std::string& key) const {
@@ -177,6 +78,8 @@ std::string JsonNode::text() const {
 std::string JsonNode::name() const {
     const std::string value = text();
     if (trim(value).empty()) throw error("the text is empty");
+    // The system would read a file's name only up to it.
+    if (value.find('\0') != std::string::npos) throw error("the text holds a zero byte");
     return value;
 }
 

@@ -3,10 +3,10 @@
 
 #include <optional>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include <ombrage/error.h>
+#include <ombrage/json_lines.h>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +16,7 @@ namespace ombrage {
 class JsonDocument {
 public:
     /// @throws Error(Input) whose where() is "FILE:LINE: /json/pointer" (for bad syntax "FILE:LINE").
-    JsonDocument(std::string file, const std::string& text);
+    JsonDocument(const std::string& file, const std::string& text);
 
     const nlohmann::json& root() const { return m_root; }
 
@@ -24,11 +24,8 @@ public:
     Error error(const std::string& pointer, const std::string& message, const std::string& hint = {}) const;
 
 private:
-    void indexLines(const std::string& text);
-
-    std::string m_file;
+    JsonLines m_lines;  // first: it refuses what the parser lets pass
     nlohmann::json m_root;
-    std::unordered_map<std::string, int> m_lines;  ///< by JSON pointer
 };
 
 /// A value of a document with checked access. Every failed check throws JsonDocument::error() at the value.
@@ -52,7 +49,7 @@ public:
     bool isNumber() const { return m_value->is_number(); }
     bool boolean() const;
     std::string text() const;
-    /// A text that is not empty.
+    /// A text that is not empty and holds no zero byte.
     std::string name() const;
     /// One of the choices, or an error with a suggestion; `kind` names them in the message.
     std::string choice(const std::string& kind, const std::vector<std::string>& choices) const;

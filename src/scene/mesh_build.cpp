@@ -43,6 +43,7 @@ std::uint32_t copyVertex(Mesh& mesh, std::uint32_t vertex) {
     mesh.positions.push_back(glm::vec3(mesh.positions[vertex]));
     mesh.normals.push_back(glm::vec3(mesh.normals[vertex]));
     if (!mesh.uvs.empty()) mesh.uvs.push_back(glm::vec2(mesh.uvs[vertex]));
+    if (!mesh.colors.empty()) mesh.colors.push_back(glm::vec3(mesh.colors[vertex]));
     return std::uint32_t(mesh.positions.size() - 1);
 }
 
@@ -151,13 +152,14 @@ std::size_t dropBadTriangles(Mesh& mesh) {
 
 void joinVertices(Mesh& mesh) {
     // The bits of all attributes of a vertex, in one fixed record (missing attributes are zero).
-    using Record = std::array<std::uint32_t, 12>;
+    using Record = std::array<std::uint32_t, 15>;
     const auto recordOf = [&](std::uint32_t v) {
-        std::array<float, 12> values{};
+        std::array<float, 15> values{};
         for (int i = 0; i < 3; ++i) values[std::size_t(i)] = mesh.positions[v][i];
         for (int i = 0; i < 3 && !mesh.normals.empty(); ++i) values[std::size_t(3 + i)] = mesh.normals[v][i];
         for (int i = 0; i < 4 && !mesh.tangents.empty(); ++i) values[std::size_t(6 + i)] = mesh.tangents[v][i];
         for (int i = 0; i < 2 && !mesh.uvs.empty(); ++i) values[std::size_t(10 + i)] = mesh.uvs[v][i];
+        for (int i = 0; i < 3 && !mesh.colors.empty(); ++i) values[std::size_t(12 + i)] = mesh.colors[v][i];
         Record record;
         std::memcpy(record.data(), values.data(), sizeof record);
         return record;
@@ -193,6 +195,7 @@ void joinVertices(Mesh& mesh) {
     gather(mesh.normals);
     gather(mesh.tangents);
     gather(mesh.uvs);
+    gather(mesh.colors);
 }
 
 void completeNormals(Mesh& mesh) {

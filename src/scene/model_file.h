@@ -24,9 +24,15 @@ struct ModelFile {
     std::vector<std::string> warnings;
 };
 
-/// Reads OBJ with MTL, glTF 2 (.gltf, .glb) and whatever else the model library knows (PLY, FBX, ...), textures
-/// included. Textures and material files that are missing become warnings.
-/// @throws Error(Input) naming the file when it cannot be read or holds no usable triangle.
-ModelFile readModelFile(const std::filesystem::path& file);
+struct ModelFileOptions {
+    std::filesystem::path skin;  ///< a picture for an MD2 model in place of its own
+};
+
+/// Reads a model with its textures: OBJ with MTL, glTF 2 (.gltf, .glb), PLY and MD2 by readers of this library,
+/// whatever else the model library knows (FBX, 3DS, COLLADA, STL, ...) through that. Textures and material files that
+/// are missing become warnings; indices and places outside their tables are errors.
+/// @throws Error(Input) naming the file, and the line or place in it, when it cannot be read or holds no usable
+/// triangle.
+ModelFile readModelFile(const std::filesystem::path& file, const ModelFileOptions& options = {});
 
 }  // namespace ombrage

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <map>
 
 #include <gtest/gtest.h>
 #include <ombrage/error.h>
@@ -92,11 +94,11 @@ TEST(Mtl, ReadsMapsAndTheirOptions) {
     const MtlMaterial& a = library.at("a b");
     EXPECT_EQ(*a.diffuse, glm::vec3(0.1f, 0.2f, 0.3f));
     EXPECT_EQ(*a.opacity, 0.75f);
-    EXPECT_EQ(a.diffuseMap, "my tex.png");
-    EXPECT_EQ(a.heightMap, "h.png");
-    EXPECT_EQ(a.bumpMultiplier, 0.5f);
-    EXPECT_EQ(a.normalMap, "n.png");
-    EXPECT_EQ(library.at("c").opacityMap, "d.png");
+    EXPECT_EQ(a.diffuseMap.file, "my tex.png");
+    EXPECT_EQ(a.heightMap.file, "h.png");
+    EXPECT_EQ(a.heightMap.bumpMultiplier, 0.5f);
+    EXPECT_EQ(a.normalMap.file, "n.png");
+    EXPECT_EQ(library.at("c").opacityMap.file, "d.png");
     ASSERT_EQ(warnings.size(), 1u);
     EXPECT_EQ(warnings[0].substr(0, 8), "x.mtl:8:");
 }
@@ -257,6 +259,82 @@ INSTANTIATE_TEST_SUITE_P(All, RealModels,
                                          RealModel{"scenes/sibenik/sibenik.obj", 80479},
                                          RealModel{"gltf/CornellBox/CornellBox.glb", 36},
                                          RealModel{"meshes/spider/spider.obj", 1368}));
+
+/// The rows of the data's manifest, "| FILE | TRIANGLES | ...", and every model in its folders has one.
+TEST(RealModel, AllLoadWithTheTrianglesOfTheManifest) {
+    OMBRAGE_DATA_FILE(manifest, "MANIFEST.md");
+    const std::filesystem::path folder = std::filesystem::path(manifest).parent_path();
+    std::map<std::string, std::size_t> counts;
+    std::ifstream lines(manifest);
+    for (std::string line; std::getline(lines, line);) {
+        const std::vector<std::string> cells = split(line, '|');
+        long long count = 0;
+        if (cells.size() > 3 && parseInt(trim(cells[2]), count)) counts[trim(cells[1])] = std::size_t(count);
+    }
+    std::size_t loaded = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        const std::string name = std::filesystem::relative(entry.path(), folder).generic_string();
+        const std::string extension = entry.path().extension().string();
+        if (name.rfind("malformed/", 0) == 0) continue;
+        if (extension != ".obj" && extension != ".gltf" && extension != ".glb" && extension != ".ply" &&
+            extension != ".md2")
+            continue;
+        ASSERT_EQ(counts.count(name), 1u) << name;
+        const Scene scene = loadScene(entry.path().string());
+        EXPECT_EQ(triangleCountOfFile(scene), counts[name]) << name;
+        for (const std::string& warning : scene.warnings)
+            EXPECT_EQ(warning.find("missing"), std::string::npos) << name << ": " << warning;
+        for (const Mesh& mesh : scene.meshes) {
+            ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << name;
+            for (const glm::vec3& n : mesh.normals) ASSERT_NEAR(glm::length(n), 1.0f, 1e-4f) << name;
+        }
+        ++loaded;
+    }
+    EXPECT_GE(loaded, 50u);
+}
+
+/// Oddities that the manifest calls valid, and what must be refused, by the file of the malformed set.
+TEST(RealModel, OddFilesLoadAndDamagedOnesAreRefused) {
+    OMBRAGE_DATA_FILE(set, "malformed/");
+    for (const char* name : {"assimp/OBJ/box.obj",
+                             "assimp/OBJ/box_longline.obj",
+                             "assimp/OBJ/box_without_lineending.obj",
+                             "assimp/OBJ/concave_polygon.obj",
+                             "assimp/OBJ/multiple_spaces.obj",
+                             "assimp/OBJ/only_a_part_of_vertexcolors.obj",
+                             "assimp/OBJ/regr_3429812.obj",
+                             "tinyobj/cube-vertexcol.obj",
+                             "tinyobj/issue-161-inconsistent-f.obj",
+                             "tinyobj/issue-246-usemtl-whitespace.obj",
+                             "tinyobj/issue-295-trianguation-failure.obj",
+                             "tinyobj/missing_material_file.obj",
+                             "tinyobj/no_material.obj",
+                             "tinyobj/norm-texopt.obj",
+                             "tinyobj/texture-options-issue-85.obj",
+                             "tinyobj/tr-and-d-issue-43.obj",
+                             "tinyobj/usemtl-issue-104.obj",
+                             "synth/md2_ok_2frames.md2",
+                             "synth/obj_crlf_backslash.obj",
+                             "synth/obj_degenerate_tris.obj"})
+        EXPECT_GT(loadScene(set + name).triangleCount(), 0u) << name;
+    const std::pair<const char*, const char*> refused[] = {
+        {"tinyobj/line-prim.obj", "points, lines and curves"},
+        {"tinyobj/issue-140-zero-face-idx.obj", "issue-140-zero-face-idx.obj:16"},
+        {"magnum/invalid-numbers.obj", "invalid-numbers.obj:14"},
+        {"assimp/gltf_IndexOutOfRange/IndexOutOfRange.gltf", "/meshes/0/primitives/0/indices: index 255"},
+        {"assimp/gltf_MissingBin/BoxTextured.gltf", "/buffers/0/uri: there is no file"},
+        {"synth/md2_frames_past_eof.md2", "the table of 1000 frames"},
+        {"synth/obj_negative_index_oob.obj", "obj_negative_index_oob.obj:4"}};
+    for (const auto& [name, part] : refused) {
+        try {
+            loadScene(set + name);
+            ADD_FAILURE() << "no error for " << name;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.code(), ErrorCode::Input) << name;
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
+    }
+}
 
 TEST(RealModel, FirNeedlesAreCutOut) {
     OMBRAGE_DATA_FILE(file, "foliage/fir.obj");

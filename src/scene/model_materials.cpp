@@ -3,90 +3,21 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
 #include "core/strings.h"
-#include "scene/asset_path.h"
-#include "scene/texture_set.h"
+#include "scene/material_textures.h"
 
 namespace ombrage {
 
 namespace {
-/// Picks textures for materials: finds files, remembers what is missing.
-class TexturePicker {
-public:
-    TexturePicker(TextureSet& set, const std::filesystem::path& folder, std::vector<std::string>& warnings)
-        : m_set(set), m_folder(folder), m_warnings(warnings) {}
-
-    /// Index of the texture of a file, -1 (and one warning per name) when there is none.
-    int pick(const std::string& name, bool srgb) {
-        if (name.empty()) return -1;
-        std::optional<std::filesystem::path> file = findAsset(m_folder, name);
-        if (!file) file = findAsset(m_folder, percentDecoded(name));
-        if (file) return m_set.add(*file, srgb);
-        const std::string warning = "texture '" + name + "' is missing";
-        if (std::find(m_warnings.begin(), m_warnings.end(), warning) == m_warnings.end()) m_warnings.push_back(warning);
-        return -1;
-    }
-
-private:
-    static std::string percentDecoded(const std::string& text) {
-        const auto digit = [](char c) {
-            if (c >= '0' && c <= '9') return c - '0';
-            if (c >= 'a' && c <= 'f') return c - 'a' + 10;
-            return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
-        };
-        std::string result;
-        for (std::size_t i = 0; i < text.size(); ++i) {
-            const bool code =
-                text[i] == '%' && i + 2 < text.size() && digit(text[i + 1]) >= 0 && digit(text[i + 2]) >= 0;
-            result += code ? char(digit(text[i + 1]) * 16 + digit(text[i + 2])) : text[i];
-            if (code) i += 2;
-        }
-        return result;
-    }
-
-    TextureSet& m_set;
-    const std::filesystem::path& m_folder;
-    std::vector<std::string>& m_warnings;
-};
-
-/// Drops an index whose texture could not be decoded.
-void dropIfEmpty(int& index, const std::vector<Texture>& textures) {
-    if (index >= 0 && textures[std::size_t(index)].rgba.empty()) index = -1;
-}
-
-void dropEmptyTextures(Material& material, const std::vector<Texture>& textures) {
-    for (int* index : {&material.baseColorTexture, &material.normalTexture, &material.heightTexture,
-                       &material.metallicRoughnessTexture, &material.emissiveTexture})
-        dropIfEmpty(*index, textures);
-}
-
-/// Files without alpha modes: holes in the colour texture cut, a factor below 1 blends.
-void guessAlphaMode(Material& material, const std::vector<Texture>& textures) {
-    if (material.baseColorTexture >= 0 && hasHoles(textures[std::size_t(material.baseColorTexture)]))
-        material.alphaMode = AlphaMode::Mask;
-    else if (material.alpha < 1.0f)
-        material.alphaMode = AlphaMode::Blend;
-}
-
-/// Many files name a normal map where a height map belongs.
-void moveNormalMap(Material& material, const std::vector<Texture>& textures, std::vector<std::string>& warnings) {
-    if (material.heightTexture < 0 || !looksLikeNormalMap(textures[std::size_t(material.heightTexture)])) return;
-    if (material.normalTexture < 0) material.normalTexture = material.heightTexture;
-    material.heightTexture = -1;
-    warnings.push_back("material '" + material.name + "': its bump map holds normals and is taken as a normal map");
-}
-
 float roughnessOf(float shininess) {
     return std::sqrt(2.0f / (std::max(shininess, 0.0f) + 2.0f));
 }
 
-Material fromMtl(const std::string& name, const MtlMaterial& mtl, TexturePicker& picker) {
+Material fromMtl(const std::string& name, const MtlMaterial& mtl, MaterialTextures& pictures) {
     Material material;
     material.name = name;
     material.baseColor = mtl.diffuse.value_or(glm::vec3(mtl.diffuseMap.empty() ? 0.8f : 1.0f));
@@ -101,51 +32,51 @@ Material fromMtl(const std::string& name, const MtlMaterial& mtl, TexturePicker&
         material.roughness = roughnessOf(*mtl.shininess);
     material.metallic = mtl.metallic.value_or(0.0f);
     material.alpha = mtl.opacity.value_or(1.0f);
-    material.baseColorTexture = picker.pick(mtl.diffuseMap, true);
-    material.emissiveTexture = picker.pick(mtl.emissiveMap, true);
-    material.normalTexture = picker.pick(mtl.normalMap, false);
-    material.heightTexture = picker.pick(mtl.heightMap, false);
-    material.heightScale_uv *= mtl.bumpMultiplier;
+    material.baseColorTexture = pictures.pick(mtl.diffuseMap.file, true, mtl.folder);
+    material.emissiveTexture = pictures.pick(mtl.emissiveMap.file, true, mtl.folder);
+    material.normalTexture = pictures.pick(mtl.normalMap.file, false, mtl.folder);
+    material.heightTexture = pictures.pick(mtl.heightMap.file, false, mtl.folder);
+    material.heightScale_uv *= mtl.heightMap.bumpMultiplier;
     return material;
 }
 
-/// Gives the material the opacity picture as the alpha of its colour texture.
-void applyOpacityMap(Material& material, int opacityTexture, std::vector<Texture>& textures) {
-    const Texture& opacity = textures[std::size_t(opacityTexture)];
-    Texture white{"white", opacity.width, opacity.height, true, std::vector<std::uint8_t>(opacity.rgba.size(), 255)};
-    const Texture& color = material.baseColorTexture >= 0 ? textures[std::size_t(material.baseColorTexture)] : white;
-    Texture merged = withOpacity(color, opacity);
-    material.baseColorTexture = int(textures.size());
-    material.alphaMode = AlphaMode::Mask;
-    textures.push_back(std::move(merged));
-}
 }  // namespace
 
 void readObjMaterials(const std::vector<std::string>& names, const MtlLibrary& library,
-                      const std::filesystem::path& folder, std::vector<Material>& materials,
-                      std::vector<Texture>& textures, std::vector<std::string>& warnings) {
-    TextureSet set;
-    TexturePicker picker(set, folder, warnings);
-    std::vector<int> opacityTextures;
+                      const std::filesystem::path& folder, ModelFile& model) {
+    MaterialTextures pictures(folder, model.warnings);
+    std::vector<int> opacity;
+    bool clamped = false;
     for (const std::string& name : names) {
         const auto found = library.find(name);
         const MtlMaterial mtl = found == library.end() ? MtlMaterial{} : found->second;
         if (found == library.end() && !library.empty() && name != "DefaultMaterial")
-            warnings.push_back("material '" + name + "' is not in the material file; a grey one stands in");
-        materials.push_back(fromMtl(name, mtl, picker));
-        opacityTextures.push_back(picker.pick(mtl.opacityMap, false));
+            model.warnings.push_back("material '" + name + "' is not in the material file; a grey one stands in");
+        model.materials.push_back(fromMtl(name, mtl, pictures));
+        opacity.push_back(pictures.pick(mtl.opacityMap.file, false, mtl.folder));
+        clamped = clamped || mtl.diffuseMap.clamp || mtl.opacityMap.clamp;
     }
-    textures = set.decode(warnings);
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        dropEmptyTextures(materials[i], textures);
-        dropIfEmpty(opacityTextures[i], textures);
-        if (opacityTextures[i] >= 0)
-            applyOpacityMap(materials[i], opacityTextures[i], textures);
-        else
-            guessAlphaMode(materials[i], textures);
-        moveNormalMap(materials[i], textures, warnings);
-    }
-    compactTextures(textures, materials);
+    if (clamped) model.warnings.push_back("the texture option -clamp is not used: textures repeat");
+    pictures.finish(model, opacity);
+    for (std::size_t i = 0; i < model.materials.size(); ++i)
+        if (model.materials[i].alphaMode == AlphaMode::Opaque) guessAlphaMode(model.materials[i], model.textures);
+    compactTextures(model.textures, model.materials);
+}
+
+Material plainMaterial(const std::string& name, bool colored) {
+    Material material;
+    material.name = name;
+    if (colored) material.baseColor = glm::vec3(1.0f);
+    material.specular = glm::vec3(0.0f);
+    return material;
+}
+
+void setColorTexture(ModelFile& model, const std::filesystem::path& file) {
+    MaterialTextures pictures(file.parent_path(), model.warnings);
+    model.materials[0].baseColorTexture = pictures.pick(file.filename().string(), true);
+    pictures.finish(model);
+    guessAlphaMode(model.materials[0], model.textures);
+    compactTextures(model.textures, model.materials);
 }
 
 namespace {
@@ -168,8 +99,7 @@ Image decodeEmbedded(const aiTexture& texture, const std::string& name) {
 
 class SceneMaterialReader {
 public:
-    SceneMaterialReader(const aiScene& source, TextureSet& set, TexturePicker& picker)
-        : m_source(source), m_set(set), m_picker(picker) {}
+    SceneMaterialReader(const aiScene& source, MaterialTextures& pictures) : m_source(source), m_pictures(pictures) {}
 
     Material read(const aiMaterial& in) {
         Material out;
@@ -181,8 +111,6 @@ public:
         out.emissiveTexture = texture(in, aiTextureType_EMISSIVE, true);
         out.normalTexture = texture(in, aiTextureType_NORMALS, false);
         out.heightTexture = texture(in, aiTextureType_HEIGHT, false);
-        // The library hands glTF's metallic-roughness texture on as "unknown".
-        out.metallicRoughnessTexture = texture(in, aiTextureType_UNKNOWN, false);
         return out;
     }
 
@@ -213,9 +141,6 @@ private:
         }
         int twoSided = 0;
         if (in.Get(AI_MATKEY_TWOSIDED, twoSided) == AI_SUCCESS) out.doubleSided = twoSided != 0;
-        if (in.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), value) == AI_SUCCESS)
-            out.normalScale = value;
-        if (in.Get(AI_MATKEY_GLTF_ALPHACUTOFF, value) == AI_SUCCESS) out.alphaCutoff = value;
     }
 
     int texture(const aiMaterial& in, aiTextureType type, bool srgb) {
@@ -223,36 +148,23 @@ private:
         if (in.GetTexture(type, 0, &path) != AI_SUCCESS || path.length == 0) return -1;
         if (const aiTexture* embedded = m_source.GetEmbeddedTexture(path.C_Str())) {
             const std::string key = "embedded texture " + textOf(path);
-            return m_set.add(key, srgb, [embedded, key] { return decodeEmbedded(*embedded, key); });
+            return m_pictures.add(key, srgb, [embedded, key] { return decodeEmbedded(*embedded, key); });
         }
-        return m_picker.pick(textOf(path), srgb);
+        return m_pictures.pick(textOf(path), srgb);
     }
 
     const aiScene& m_source;
-    TextureSet& m_set;
-    TexturePicker& m_picker;
+    MaterialTextures& m_pictures;
 };
 }  // namespace
 
-void readSceneMaterials(const aiScene& source, const std::filesystem::path& folder, std::vector<Material>& materials,
-                        std::vector<Texture>& textures, std::vector<std::string>& warnings) {
-    TextureSet set;
-    TexturePicker picker(set, folder, warnings);
-    SceneMaterialReader reader(source, set, picker);
-    for (unsigned i = 0; i < source.mNumMaterials; ++i) materials.push_back(reader.read(*source.mMaterials[i]));
-    textures = set.decode(warnings);
-    for (unsigned i = 0; i < source.mNumMaterials; ++i) {
-        dropEmptyTextures(materials[i], textures);
-        moveNormalMap(materials[i], textures, warnings);
-        aiString mode;
-        if (source.mMaterials[i]->Get(AI_MATKEY_GLTF_ALPHAMODE, mode) != AI_SUCCESS)
-            guessAlphaMode(materials[i], textures);
-        else if (textOf(mode) == "MASK")
-            materials[i].alphaMode = AlphaMode::Mask;
-        else if (textOf(mode) == "BLEND")
-            materials[i].alphaMode = AlphaMode::Blend;
-    }
-    compactTextures(textures, materials);
+void readSceneMaterials(const aiScene& source, const std::filesystem::path& folder, ModelFile& model) {
+    MaterialTextures pictures(folder, model.warnings);
+    SceneMaterialReader reader(source, pictures);
+    for (unsigned i = 0; i < source.mNumMaterials; ++i) model.materials.push_back(reader.read(*source.mMaterials[i]));
+    pictures.finish(model);
+    for (Material& material : model.materials) guessAlphaMode(material, model.textures);
+    compactTextures(model.textures, model.materials);
 }
 
 }  // namespace ombrage

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/strings.h"
+#include "scene/text_lines.h"
 
 namespace ombrage {
 
@@ -33,45 +34,61 @@ std::vector<double> takeNumbers(std::string_view& rest, std::size_t most) {
     return numbers;
 }
 
-/// Reads the options in front of a map's path, and the path (the rest of the line: it may hold blanks).
-std::string takeMap(std::string_view rest, float& bumpMultiplier) {
-    for (;;) {
-        std::string_view after = rest;
-        const std::string option = toLower(takeWord(after));
-        if (option == "-bm") {
-            if (const auto numbers = takeNumbers(after, 1); !numbers.empty()) bumpMultiplier = float(numbers[0]);
-        } else if (option == "-o" || option == "-s" || option == "-t") {
-            takeNumbers(after, 3);
-        } else if (option == "-mm") {
-            takeNumbers(after, 2);
-        } else if (option == "-boost" || option == "-texres") {
-            takeNumbers(after, 1);
-        } else if (option == "-blendu" || option == "-blendv" || option == "-cc" || option == "-clamp" ||
-                   option == "-imfchan" || option == "-type") {
-            takeWord(after);
-        } else {
-            return trim(rest);
-        }
-        rest = after;
+/// Takes an option and its values off the front of `rest`; false when there is none.
+bool takeOption(std::string_view& rest, MtlMap& map) {
+    std::string_view after = rest;
+    const std::string option = toLower(takeWord(after));
+    if (option == "-bm") {
+        if (const auto n = takeNumbers(after, 1); !n.empty()) map.bumpMultiplier = float(n[0]);
+    } else if (option == "-o" || option == "-s") {
+        glm::vec2& target = option == "-s" ? map.scale : map.offset;
+        const auto n = takeNumbers(after, 3);
+        for (std::size_t i = 0; i < std::min<std::size_t>(2, n.size()); ++i) target[int(i)] = float(n[i]);
+    } else if (option == "-clamp") {
+        map.clamp = toLower(takeWord(after)) == "on";
+    } else if (option == "-t") {
+        takeNumbers(after, 3);
+    } else if (option == "-mm") {
+        takeNumbers(after, 2);
+    } else if (option == "-boost" || option == "-texres") {
+        takeNumbers(after, 1);
+    } else if (option == "-blendu" || option == "-blendv" || option == "-cc" || option == "-imfchan" ||
+               option == "-type") {
+        takeWord(after);
+    } else {
+        return false;
     }
+    rest = after;
+    return true;
 }
 
-std::string_view nextLine(std::string_view& text) {
-    const std::size_t end = std::min(text.find_first_of("\n\r"), text.size());
-    const std::string_view line = text.substr(0, end);
-    // A pair of carriage return and line feed ends one line.
-    const bool pair = end + 1 < text.size() && text[end] == '\r' && text[end + 1] == '\n';
-    text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
-    return line;
+/// Reads the options of a map and its path, which may hold blanks: the options stand before it, in some files behind.
+MtlMap readMap(std::string_view rest) {
+    MtlMap map;
+    while (takeOption(rest, map)) {
+    }
+    for (std::size_t at = rest.find(" -"); at != std::string_view::npos; at = rest.find(" -", at + 1)) {
+        std::string_view behind = rest.substr(at);
+        MtlMap changed = map;
+        bool options = takeOption(behind, changed);
+        while (options && takeOption(behind, changed)) {
+        }
+        if (!options || !trim(behind).empty()) continue;
+        map = changed;
+        rest = rest.substr(0, at);
+        break;
+    }
+    map.file = trim(rest);
+    return map;
 }
 }  // namespace
 
 MtlLibrary parseMtl(const std::string& text, const std::string& name, std::vector<std::string>& warnings) {
     MtlLibrary library;
     MtlMaterial* current = nullptr;
-    std::string_view rest = text;
-    for (int lineNumber = 1; !rest.empty(); ++lineNumber) {
-        std::string_view line = nextLine(rest);
+    TextLines lines(text);
+    std::string_view line;
+    while (lines.next(line)) {
         const std::string key = toLower(takeWord(line));
         if (key == "newmtl") {
             current = &library[trim(line)];
@@ -80,7 +97,7 @@ MtlLibrary parseMtl(const std::string& text, const std::string& name, std::vecto
         if (current == nullptr || key.empty() || key[0] == '#') continue;
 
         const auto complain = [&] {
-            warnings.push_back(name + ":" + std::to_string(lineNumber) + ": '" + key + "' without its numbers");
+            warnings.push_back(name + ":" + std::to_string(lines.number()) + ": '" + key + "' without its numbers");
         };
         const auto color = [&](std::optional<glm::vec3>& out) {
             const auto n = takeNumbers(line, 3);
@@ -98,7 +115,6 @@ MtlLibrary parseMtl(const std::string& text, const std::string& name, std::vecto
             else
                 complain();
         };
-        float ignored = 1.0f;
         if (key == "kd")
             color(current->diffuse);
         else if (key == "ks")
@@ -117,29 +133,17 @@ MtlLibrary parseMtl(const std::string& text, const std::string& name, std::vecto
             number(current->opacity);
             if (current->opacity) current->opacity = 1.0f - *current->opacity;
         } else if (key == "map_kd")
-            current->diffuseMap = takeMap(line, ignored);
+            current->diffuseMap = readMap(line);
         else if (key == "map_d")
-            current->opacityMap = takeMap(line, ignored);
+            current->opacityMap = readMap(line);
         else if (key == "map_ke")
-            current->emissiveMap = takeMap(line, ignored);
+            current->emissiveMap = readMap(line);
         else if (key == "map_bump" || key == "bump")
-            current->heightMap = takeMap(line, current->bumpMultiplier);
+            current->heightMap = readMap(line);
         else if (key == "norm" || key == "map_norm" || key == "map_kn")
-            current->normalMap = takeMap(line, ignored);
+            current->normalMap = readMap(line);
     }
     return library;
-}
-
-std::vector<std::string> mtlLibrariesOf(const std::string& objText) {
-    std::vector<std::string> names;
-    std::string_view rest = objText;
-    while (!rest.empty()) {
-        std::string_view line = nextLine(rest);
-        if (line.find("mtllib") == std::string_view::npos || takeWord(line) != "mtllib") continue;
-        const std::string file = trim(line);
-        if (!file.empty() && std::find(names.begin(), names.end(), file) == names.end()) names.push_back(file);
-    }
-    return names;
 }
 
 }  // namespace ombrage

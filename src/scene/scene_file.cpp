@@ -120,11 +120,12 @@ private:
         if (const auto casts = node.find("casts")) model.casts = casts->boolean();
         if (const auto receives = node.find("receives")) model.receives = receives->boolean();
         const glm::dmat4 worldFromFile = placement(node);
+        const fs::path skin = skinPath(node, path);
         checkMotion(node, model.name);
 
         // A file that stands in several places is read once.
         const int modelIndex = int(m_scene.models.size());
-        const std::string key = fs::weakly_canonical(path).string();
+        const std::string key = fs::weakly_canonical(path).string() + "\n" + skin.string();
         if (const auto known = m_loaded.find(key); known != m_loaded.end()) {
             for (const Instance& instance : known->second.parts)
                 m_scene.instances.push_back({instance.mesh, modelIndex, worldFromFile * instance.worldFromLocal});
@@ -132,7 +133,7 @@ private:
             keepLightsAndCameras(known->second, worldFromFile);
             return;
         }
-        ModelFile file = readFile(path, fileNode);
+        ModelFile file = readFile(path, {skin}, fileNode);
         Loaded loaded;
         for (const ModelFile::Part& part : file.parts)
             loaded.parts.push_back({int(m_scene.meshes.size()) + part.mesh, 0, part.fileFromLocal});
@@ -144,17 +145,25 @@ private:
         m_loaded.emplace(key, std::move(loaded));
     }
 
-    static ModelFile readFile(const fs::path& path, const JsonNode& fileNode) {
+    /// The picture that "skin" names, seen from the scene's folder; empty without one.
+    fs::path skinPath(const JsonNode& node, const fs::path& model) const {
+        const auto skin = node.find("skin");
+        if (!skin) return {};
+        if (toLower(model.extension().string()) != ".md2") throw skin->error("only MD2 models have skins");
+        return modelPath(*skin);
+    }
+
+    static ModelFile readFile(const fs::path& path, const ModelFileOptions& options, const JsonNode& fileNode) {
         try {
-            return readModelFile(path);
+            return readModelFile(path, options);
         } catch (const Error& error) {
-            throw fileNode.error(error.message(), error.hint());
+            const std::string where = error.where().empty() ? "" : error.where() + ": ";
+            throw fileNode.error(where + error.message(), error.hint());
         }
     }
 
     void checkMotion(const JsonNode& node, const std::string& modelName) {
         std::vector<std::string> unused;
-        if (const auto skin = node.find("skin")) skin->name(), unused.push_back("skin");
         if (const auto fps = node.find("fps")) fps->numberAbove(0.0, 1000.0), unused.push_back("fps");
         if (const auto clip = node.find("clip")) clip->name(), unused.push_back("clip");
         if (const auto path = node.find("path")) {

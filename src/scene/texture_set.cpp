@@ -7,9 +7,12 @@
 #include <ombrage/error.h>
 #include <tbb/parallel_for.h>
 
+#include "scene/load_record.h"
+
 namespace ombrage {
 
 int TextureSet::add(const std::filesystem::path& file, bool srgb) {
+    LoadRecord::content(file, true);
     return add(file.lexically_normal().string(), srgb, [file] { return readImage(file); });
 }
 

@@ -92,7 +92,7 @@ TEST_F(Cli, VersionAndHelp) {
     const Result version = run({"--version"});
     EXPECT_EQ(version.code, 0);
     EXPECT_EQ(version.out.rfind("ombrage ", 0), 0u) << version.out;
-    for (const char* command : {"list", "doctor", "render", "reference", "compare", "diff", "report", "demo"})
+    for (const char* command : {"list", "info", "doctor", "render", "reference", "compare", "diff", "report", "demo"})
         for (const char* option : {"--help", "-h"}) {
             const Result help = run({command, option});
             EXPECT_EQ(help.code, 0) << command;
@@ -107,6 +107,91 @@ TEST_F(Cli, NoCommandIsWrongUsage) {
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_NE(result.err.find("compare"), std::string::npos);
+}
+
+TEST_F(Cli, StateErrorsNameTheLine) {
+    const auto errorOf = [&](const std::string& text) {
+        std::ofstream(m_folder / "s.json", std::ios::binary) << text;
+        const Result result = run({"render", "gap", "-o", "x.png", "--state", "s.json"});
+        EXPECT_NE(result.code, 0) << text;
+        EXPECT_EQ(result.err.find("json.exception"), std::string::npos) << result.err;
+        return result.err;
+    };
+    EXPECT_NE(errorOf("{\n\"seed\": }").find("s.json:2"), std::string::npos);
+    EXPECT_NE(errorOf("{\n\n\"seed\": 1e999}").find("s.json:3"), std::string::npos);
+    EXPECT_NE(errorOf("{\n\"sede\": 1}").find("s.json:2: /sede"), std::string::npos);
+    EXPECT_NE(errorOf("{\"seed\": 1,\n\"seed\": 2}").find("s.json:2: /seed"), std::string::npos);
+    EXPECT_NE(errorOf("{\"size\":\n[{}, 2]}").find("s.json:2: /size"), std::string::npos);
+    EXPECT_NE(errorOf(std::string("{}\n\0", 4)).find("s.json:2"), std::string::npos);
+    EXPECT_EQ(run({"render", "gap", "-o", "x.png", "--state", "/dev/zero"}).code, 3);
+}
+
+TEST_F(Cli, APictureThatNoMemoryHoldsIsRefused) {
+    // The largest size takes 25 GiB: on a machine that has them nothing is asked.
+    if (double(sysconf(_SC_PHYS_PAGES)) * double(sysconf(_SC_PAGESIZE)) > 25.0 * 1024 * 1024 * 1024)
+        GTEST_SKIP() << "SKIPPED: this machine has memory for the largest picture";
+    const Result result = run({"render", "gap", "-o", "x.png", "--size", "16384x16384"});
+    EXPECT_EQ(result.code, 4);
+    EXPECT_NE(result.err.find("needs about 25 GiB"), std::string::npos) << result.err;
+}
+
+TEST_F(Cli, InterruptingEndsAnImport) {
+    std::ofstream(m_folder / "t.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    std::ofstream(m_folder / "sleeper") << "#!/bin/sh\necho $$ > \"" << (m_folder / "pid").string()
+                                        << "\"\nexec sleep 60\n";
+    fs::permissions(m_folder / "sleeper", fs::perms::owner_all);
+    const pid_t child =
+        start({"render", "t.obj", "-o", "x.png"}, {{"OMBRAGE_IMPORT", (m_folder / "sleeper").string()}});
+    while (content(m_folder / "pid").empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    kill(child, SIGINT);
+    EXPECT_EQ(finish(child).code, 130);
+    EXPECT_NE(kill(std::stoi(content(m_folder / "pid")), 0), 0) << "the importing process lives on";
+}
+
+TEST_F(Cli, InfoTellsWhatASceneHolds) {
+    const Result text = run({"info", "gap"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    EXPECT_EQ(text.err, "");
+    for (const char* part : {"triangles  140", "meshes (2)", "closed", "open, 32 edges", "lights (1)", "cameras (3)"})
+        EXPECT_NE(text.out.find(part), std::string::npos) << part << "\n" << text.out;
+    const Json json = Json::parse(run({"info", "gap", "--json"}).out);
+    EXPECT_EQ(json["schema"], "ombrage/info/1");
+    EXPECT_EQ(json["triangles"], 140);
+    EXPECT_EQ(json["meshes"][0]["shape"], "open");
+    EXPECT_EQ(json["meshes"][0]["open_edges"], 32);
+    EXPECT_EQ(json["meshes"][1]["shape"], "closed");
+    EXPECT_EQ(json["bounds"]["size_m"][0], 6.0);
+    EXPECT_EQ(json["content_hash"].get<std::string>().size(), 16u);
+    EXPECT_EQ(json["ambient"], 0.2);
+    EXPECT_TRUE(json["warnings"].empty());
+}
+
+TEST_F(Cli, InfoOfModelFilesAndItsErrors) {
+    std::ofstream(m_folder / "m.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nl 1 2\nusemtl \"gone\nf 1 2 3 4\n";
+    const Json json = Json::parse(run({"info", "m.obj", "--json", "--ground"}).out);
+    EXPECT_EQ(json["meshes"][0]["triangles"], 2);
+    EXPECT_EQ(json["models"][1]["name"], "ground");
+    ASSERT_EQ(json["warnings"].size(), 1u);
+    EXPECT_EQ(json["warnings"][0], "1 points, lines and curves are left out, the first in m.obj:5: 'l'");
+
+    std::ofstream(m_folder / "bad.obj") << "v 0 0 0\nv 1 0 0\nf 1 2 3\n";
+    const Result bad = run({"info", "bad.obj", "--json"});
+    EXPECT_EQ(bad.code, 3);
+    EXPECT_EQ(bad.out, "");
+    EXPECT_NE(bad.err.find("bad.obj:3"), std::string::npos) << bad.err;
+    EXPECT_EQ(run({"info", "none.obj"}).code, 3);
+    expectUsageError({"info"}, "no scene");
+    expectUsageError({"info", "gapp"}, "did you mean 'gap'?");
+}
+
+TEST_F(Cli, ListScenesAndInfoAgree) {
+    const Json scenes = Json::parse(run({"list", "scenes", "--json"}).out);
+    EXPECT_GE(scenes["scenes"].size(), 13u);
+    for (const Json& scene : scenes["scenes"]) {
+        const Result info = run({"info", scene["name"].get<std::string>(), "--json"});
+        ASSERT_EQ(info.code, 0) << scene["name"] << info.err;
+        EXPECT_GT(Json::parse(info.out)["triangles"], 0) << scene["name"];
+    }
 }
 
 TEST_F(Cli, MisspeltNamesAreSuggested) {

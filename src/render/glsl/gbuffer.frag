@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One variant per kind of material: BASE_COLOR_MAP, NORMAL_MAP (tangent space), HEIGHT_MAP (bump), METALLIC_ROUGHNESS_MAP,
-// ALPHA_MASK, UV for any of them; MATERIAL_PLANE where lighting needs the material.
+// ALPHA_MASK, UV for any of them; VERTEX_COLORS where the scene has any; MATERIAL_PLANE where lighting needs the material.
 #include "ombrage/frame.glsl"
 #include "ombrage/octahedral.glsl"
 #include "ombrage/surface.glsl"
@@ -15,6 +15,9 @@ in vec4 v_tangent;
 #endif
 #ifdef UV
 in vec2 v_uv;
+#endif
+#ifdef VERTEX_COLORS
+in vec3 v_color;
 #endif
 in vec3 v_normal;
 flat in uvec4 v_surface;
@@ -72,8 +75,15 @@ void main() {
     if (turned) n_s = -n_s;
 
     uint albedo = v_surface.x;
+#if defined(BASE_COLOR_MAP) || defined(VERTEX_COLORS)
+    vec3 base = b_materials[v_surface.w].baseColor.rgb;
 #ifdef BASE_COLOR_MAP
-    albedo = packedAlbedo(b_materials[v_surface.w].baseColor.rgb * texture(t_baseColor, v_uv).rgb);
+    base *= texture(t_baseColor, v_uv).rgb;
+#endif
+#ifdef VERTEX_COLORS
+    base *= v_color;
+#endif
+    albedo = packedAlbedo(base);
 #endif
     o_surface = uvec4(packSnorm2x16(o_g), packSnorm2x16(octahedralFromVector(n_s)), albedo, triangle);
 

@@ -11,6 +11,10 @@ out vec4 v_tangent;
 layout(location = 3) in vec2 a_uv;
 out vec2 v_uv;
 #endif
+#ifdef VERTEX_COLORS
+layout(location = 11) in vec4 a_color;
+out vec3 v_color;
+#endif
 
 out vec3 v_normal;
 flat out uvec4 v_surface;   // packed albedo, packed material, first triangle, material
@@ -29,5 +33,8 @@ void main() {
 #endif
 #ifdef UV
     v_uv = a_uv;
+#endif
+#ifdef VERTEX_COLORS
+    v_color = a_color.rgb;
 #endif
 }

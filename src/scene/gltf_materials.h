@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <vector>
 
-#include <ombrage/scene.h>
+#include "scene/gltf_document.h"
+#include "scene/model_file.h"
 
 namespace ombrage {
 
@@ -15,22 +15,14 @@ struct GltfUv {
     glm::vec2 offset{0.0f};
     float rotation_rad = 0.0f;
     glm::vec2 scale{1.0f};
+    bool differ = false;  ///< another texture of the material lies differently
     bool operator==(const GltfUv&) const = default;
     bool isIdentity() const { return offset == glm::vec2(0.0f) && rotation_rad == 0.0f && scale == glm::vec2(1.0f); }
     glm::vec2 apply(const glm::vec2& uv) const;
 };
 
-/// What the model library does not hand on, or only changed: lights and cameras in world space, and texture
-/// coordinates.
-struct GltfExtras {
-    std::vector<GltfUv> materialUvs;  ///< by material, of the first texture that it has
-    std::vector<Light> lights;
-    std::vector<Camera> cameras;
-    std::vector<std::string> warnings;
-};
-
-/// Reads the JSON part of a .gltf or .glb file's content. Parts that are not as they should be are left out, with a
-/// warning.
-GltfExtras readGltfExtras(const std::string& content);
+/// Reads the materials (metallic-roughness, or the diffuse part of KHR_materials_pbrSpecularGlossiness) and their
+/// pictures into the model. Returns, by material, the texture coordinates of the first texture that it has.
+std::vector<GltfUv> readGltfMaterials(GltfDocument& document, ModelFile& model);
 
 }  // namespace ombrage
