@@ -14,6 +14,9 @@
 
 namespace ombrage {
 
+/// Samples per pixel where none are asked for.
+inline constexpr int kSoftSamples = 1024, kAoSamples = 256;
+
 struct Reference::Impl {
     explicit Impl(const Scene& s) : scene(s), flat(flatten(s)), bounds(s.bounds()), rays(s, flat) {}
 
@@ -44,14 +47,10 @@ struct LightTruth {
     double irradiance = 0;  ///< unshadowed, per unit of colour
 };
 
-/// @param instances per instance, whether it shades this light
-/// @param samples per scrambling; ignored for hard lights
-LightTruth lightTruth(const RayScene& rays, const LightShape& light, const SurfacePoint& point,
-                      const std::vector<bool>& instances, int samples, std::uint32_t seed);
-
-/// T1 (T4 with an infinite radius): mean and standard error.
-Reference::Estimate openSky(const RayScene& rays, const SurfacePoint& point, double radius_m, int samples,
-                            std::uint32_t seed);
+/// The truth of a light with a size.
+/// @param casters per instance, whether it shades this light; null: all do
+LightTruth softTruth(const RayScene& rays, const LightShape& light, const SurfacePoint& point,
+                     const std::vector<bool>* casters, const SampleSets& sets, std::uint32_t seed);
 
 /// Per instance, whether it shades the light.
 std::vector<bool> shadingInstances(const FlatScene& flat, const Light& light);
