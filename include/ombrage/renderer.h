@@ -21,6 +21,10 @@ enum class Shading { Phong, Blinn, Pbr };
 enum class Composite { Lighting, Modulate, Overlay };
 enum class AmbientTerm { Constant, Ao, Off };
 
+/// What the clock brackets: every pass by itself, or the frame as a whole. A wall clock (DeviceInfo::clock) must finish the
+/// queue at both ends of what it times, so timing passes by it keeps one from overlapping the next.
+enum class Timing { Passes, Frame };
+
 struct RendererOptions {
     std::string device;       ///< "" best with fallback, "software", or an EGL device index
     std::string shaderDir;    ///< read shaders from here instead of the embedded ones
@@ -44,6 +48,7 @@ struct RenderSettings {
     double time_s = 0;
     int frames = 1;                        ///< frames rendered; the last one is returned, times cover all but warmup
     int warmupFrames = 0;
+    Timing timing = Timing::Passes;
     std::uint64_t seed = 1;
     std::vector<std::string> show;         ///< pictures wanted beside the final one, by name; "all" for every one
     /// Called before each frame with the share done in [0,1]; returning false ends the call with Error(Interrupted).
@@ -73,8 +78,9 @@ struct RenderResult {
     std::optional<Image> ao;                    ///< one plane
     std::map<int, TexelFootprint> footprint;    ///< per light index
     std::vector<std::uint32_t> instance, triangle;  ///< ids of the G-buffer, row 0 at the top
-    std::vector<PassCost> passes;
-    Stats gpu_ms;
+    std::vector<PassCost> passes;               ///< with Timing::Frame their gpu_ms are 0
+    Stats gpu_ms;                               ///< sum of the passes; with Timing::Frame the frame
+    std::vector<double> frames_ms;              ///< of every frame after the warm-up, in order; what gpu_ms sums up
     double cpu_ms = 0;
     std::uint64_t gpuBytes = 0;                 ///< render targets and technique buffers, not the scene's own
     std::map<std::string, double> counters;

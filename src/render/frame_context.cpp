@@ -15,10 +15,12 @@ glm::vec4 LightFrame::toward() const {
 
 FrameContext::Pass::Pass(FrameContext& frame, const std::string& name) : m_frame(frame), m_group(name.c_str()) {
     frame.recorder->passes.push_back({name});
-    frame.recorder->timer->begin(name);
+    if (frame.recorder->timesPasses) frame.recorder->timer->begin(name);
 }
 
-FrameContext::Pass::~Pass() { m_frame.recorder->timer->end(); }
+FrameContext::Pass::~Pass() {
+    if (m_frame.recorder->timesPasses) m_frame.recorder->timer->end();
+}
 
 void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
     assert(!recorder->passes.empty());

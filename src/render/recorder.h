@@ -24,6 +24,7 @@ struct FrameContext::Recorder {
     };
 
     gl::GpuTimer* timer = nullptr;
+    bool timesPasses = true;                      ///< else the whole frame is one span
     std::vector<PassWork> passes;                 ///< of this frame, in order
     std::map<std::string, double> counters;       ///< of this frame
     std::set<std::string> wanted;

@@ -253,6 +253,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     std::vector<double> totals, cpuTimes;
     std::vector<std::string> order;
     std::map<std::string, std::vector<double>> passTimes;
+    recorder.timesPasses = settings.timing == Timing::Passes;
     timer->take();
     const int frames = settings.warmupFrames + settings.frames;
     for (int i = 0; i < frames; ++i) {
@@ -265,14 +266,17 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         frame.seed = std::uint32_t(settings.seed);
         produced = {};
         const double start = threadTime_ms();
+        if (!recorder.timesPasses) timer->begin("frame");
         produced = renderFrame(frame, settings, request);
+        if (!recorder.timesPasses) timer->end();
         const double cpu = threadTime_ms() - start;
 
+        for (const auto& work : recorder.passes)
+            if (std::find(order.begin(), order.end(), work.name) == order.end()) order.push_back(work.name);
         // Passes of one name (one per light) count as one row.
         std::map<std::string, double> times;
         double total = 0;
         for (const gl::GpuTimer::Span& span : timer->take()) {
-            if (std::find(order.begin(), order.end(), span.name) == order.end()) order.push_back(span.name);
             times[span.name] += span.time_ms;
             total += span.time_ms;
         }
@@ -295,6 +299,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         result.passes.push_back(cost);
     }
     result.gpu_ms = statsOf(totals);
+    result.frames_ms = totals;
     result.cpu_ms = statsOf(cpuTimes).median;
     result.gpuBytes = targets.bytes() + byteSize(*gbuffer) + slots.gpuBytes();
     result.counters = recorder.counters;
