@@ -5,12 +5,7 @@
 #include <cmath>
 
 namespace ombrage {
-namespace {
 
-/// Which directions are asked for.
-enum class Spread { Cosine, Hemisphere, Sphere };
-
-/// Unit directions about `n`, sixteen at a time.
 void directions(const glm::dvec3& n_d, Spread spread, const PolarSamples& samples, RayBundle& bundle) {
     glm::dvec3 t_d, b_d;
     basis(n_d, t_d, b_d);
@@ -36,6 +31,8 @@ void directions(const glm::dvec3& n_d, Spread spread, const PolarSamples& sample
         bundle.z[i] = t.z * x + b.z * y + n.z * z;
     }
 }
+
+namespace {
 
 /// The cosine of a direction as it is traced to a normal.
 double cosineTo(const RayBundle& bundle, std::size_t i, const glm::dvec3& n) {

@@ -7,6 +7,12 @@
 
 namespace ombrage {
 
+/// Which directions are asked for.
+enum class Spread { Cosine, Hemisphere, Sphere };
+
+/// Unit directions about `n`, one for each sample.
+void directions(const glm::dvec3& n, Spread spread, const PolarSamples& samples, RayBundle& bundle);
+
 /// What is asked of ambient visibility.
 struct AoQuestion {
     TruthKind kind = TruthKind::T1;
