@@ -144,10 +144,9 @@ struct Setting {
 void everyReceiver(const Setting& setting, const Receivers& receivers, Rays& rays,
                    const std::function<void(const SurfacePoint&, std::uint32_t, std::vector<BareRay>&)>& at) {
     rays.resize(std::size_t(receivers.height));
+    SurfacePoints points(setting.flat, receivers, setting.rays.positionError_m(0));
     for (std::size_t i = 0; i < receivers.triangle.size(); ++i)
-        if (receivers.triangle[i] != kNoHit)
-            at(surfacePoint(setting.flat, receivers, i, setting.rays.positionError_m(0)), std::uint32_t(i),
-               rays[i / std::size_t(receivers.width)]);
+        if (receivers.triangle[i] != kNoHit) at(points.at(i), std::uint32_t(i), rays[i / std::size_t(receivers.width)]);
 }
 
 void addBundle(const SurfacePoint& point, const RayBundle& bundle, std::uint32_t wanted, std::vector<BareRay>& row) {
@@ -215,7 +214,7 @@ Question soft(const Setting& setting, const Camera& camera, int threads) {
     return q;
 }
 
-/// The centre of the first light, one ray for each receiver, and the blocked ones once more for their blocker.
+/// The centre of the first light, one ray for each receiver (the truth also learns the nearest blocker from it).
 Question hard(const Setting& setting, const Camera& camera, int threads) {
     Question q{"hard shadow", {}, {}, optionsOf(1280, 720, 1, threads)};
     const Receivers receivers = setting.reference.receivers(camera, q.options);
@@ -223,14 +222,8 @@ Question hard(const Setting& setting, const Camera& camera, int threads) {
     everyReceiver(setting, receivers, q.rays, [&](const SurfacePoint& p, std::uint32_t, std::vector<BareRay>& row) {
         if (shape.mask(p.position, p.normal) != Mask::Valid) return;
         const LightSample centre = shape.centre(p.position);
-        Ray ray;
-        ray.origin = p.position;
-        ray.direction = centre.direction;
-        ray.length_m = centre.distance_m - setting.rays.positionError_m(centre.distance_m);
-        ray.ownTriangle = p.triangle;
-        const BareRay bare{glm::vec3(ray.origin), glm::vec3(ray.direction), float(ray.length_m)};
-        row.push_back(bare);
-        if (setting.rays.occluded(ray)) row.push_back(bare);
+        const double length_m = centre.distance_m - setting.rays.positionError_m(centre.distance_m);
+        row.push_back({glm::vec3(p.position), glm::vec3(centre.direction), float(length_m)});
     });
     q.ask = [&setting, &camera, receivers, options = q.options] {
         setting.reference.shadow(receivers, camera, 0, options);

@@ -54,11 +54,11 @@ AoTruth Reference::ao(const Receivers& receivers, const Camera& camera, const Re
 
     const double inset_m = m_impl->rays.positionError_m(0);
     parallelRows(receivers.height, options, [&](int y) {
+        SurfacePoints points(m_impl->flat, receivers, inset_m);
         for (int x = 0; x < receivers.width; ++x) {
             const std::size_t i = std::size_t(y) * std::size_t(receivers.width) + std::size_t(x);
             if (receivers.triangle[i] == kNoHit) continue;
-            const Estimate e = estimator.at(surfacePoint(m_impl->flat, receivers, i, inset_m),
-                                            pointSeed(options.seed, kStream, std::uint32_t(i)));
+            const Estimate e = estimator.at(points.at(i), pointSeed(options.seed, kStream, std::uint32_t(i)));
             t.mask[i] = Mask::Valid;
             t.visibility[i] = float(e.mean);
             t.standardError[i] = float(e.standardError);

@@ -22,6 +22,22 @@ struct SceneRelease {
 using Device = std::unique_ptr<RTCDeviceTy, DeviceRelease>;
 using EmbreeScene = std::unique_ptr<RTCSceneTy, SceneRelease>;
 
+/// Rays of a packet; lanes beyond `count` keep their `valid` of 0.
+void setRays(RTCRay16& packet, const Ray* rays, int count, int* valid) {
+    for (int i = 0; i < count; ++i) {
+        valid[i] = -1;
+        packet.org_x[i] = float(rays[i].origin.x);
+        packet.org_y[i] = float(rays[i].origin.y);
+        packet.org_z[i] = float(rays[i].origin.z);
+        packet.dir_x[i] = float(rays[i].direction.x);
+        packet.dir_y[i] = float(rays[i].direction.y);
+        packet.dir_z[i] = float(rays[i].direction.z);
+        packet.tfar[i] = float(rays[i].length_m);
+        packet.mask[i] = 0xffffffffu;
+        packet.id[i] = unsigned(i);
+    }
+}
+
 /// Below this cosine to its own plane a ray may leave the float origin's side of it later than the second look covers.
 constexpr float kGrazing = 2e-3f;
 
@@ -60,6 +76,9 @@ struct RayScene::Impl {
 
     /// Adds the triangles of the ids as the next geometry. False without memory.
     bool attach(std::vector<std::uint32_t> ids, RTCFilterFunctionN filter);
+
+    /// The hit with distance and barycentrics once more in double: Embree's come from the rounded ray.
+    RayHit refined(const Ray& ray, RayHit hit) const;
 
     const Scene& scene;
     const FlatScene& flat;
@@ -132,29 +151,6 @@ bool RayScene::occluded(const Ray& ray) const {
     return r.tfar < 0;
 }
 
-std::uint32_t RayScene::occluded(const Ray* rays, int count) const {
-    RayContext context = m_impl->context(rays);
-    alignas(64) int valid[RayBundle::kSize];
-    RTCRay16 packet{};
-    for (int i = 0; i < RayBundle::kSize; ++i) {
-        valid[i] = i < count ? -1 : 0;
-        if (i >= count) continue;
-        packet.org_x[i] = float(rays[i].origin.x);
-        packet.org_y[i] = float(rays[i].origin.y);
-        packet.org_z[i] = float(rays[i].origin.z);
-        packet.dir_x[i] = float(rays[i].direction.x);
-        packet.dir_y[i] = float(rays[i].direction.y);
-        packet.dir_z[i] = float(rays[i].direction.z);
-        packet.tfar[i] = float(rays[i].length_m);
-        packet.mask[i] = 0xffffffffu;
-        packet.id[i] = unsigned(i);
-    }
-    rtcOccluded16(valid, m_impl->embree.get(), &context.base, &packet);
-    std::uint32_t blocked = 0;
-    for (int i = 0; i < count; ++i) blocked |= std::uint32_t(packet.tfar[i] < 0) << i;
-    return blocked;
-}
-
 RayOrigin RayScene::startAt(const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t ownTriangle,
                             const std::vector<bool>* instances) const {
     RayOrigin origin{position, normal, ownTriangle, instances, false};
@@ -214,8 +210,12 @@ std::uint32_t RayScene::occluded(const RayOrigin& origin, const RayBundle& bundl
         rays[std::size_t(count++)] = {origin.position, glm::dvec3(bundle.x[k], bundle.y[k], bundle.z[k]),
                                       double(bundle.length_m[k]), origin.ownTriangle, origin.instances};
     }
-    const std::uint32_t found = occluded(rays.data(), count);
-    for (int i = 0; i < count; ++i) blocked |= (found >> i & 1u) << lanes[std::size_t(i)];
+    RayContext context = m_impl->context(rays.data());
+    alignas(64) int valid[RayBundle::kSize]{};
+    RTCRay16 packet{};
+    setRays(packet, rays.data(), count, valid);
+    rtcOccluded16(valid, m_impl->embree.get(), &context.base, &packet);
+    for (int i = 0; i < count; ++i) blocked |= std::uint32_t(packet.tfar[i] < 0) << lanes[std::size_t(i)];
     return blocked;
 }
 
@@ -227,21 +227,37 @@ std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
     r.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect1(m_impl->embree.get(), &context.base, &r);
     if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return m_impl->refined(ray, {context.triangleOf(r.hit.geomID, r.hit.primID), r.hit.u, r.hit.v, r.ray.tfar});
+}
 
-    // Distance and barycentrics once more in double (Moeller and Trumbore 1997): Embree's come from the rounded ray.
-    const std::uint32_t triangle = context.triangleOf(r.hit.geomID, r.hit.primID);
-    const glm::uvec3 t = m_impl->flat.triangles[triangle];
-    const glm::dvec3 a(m_impl->flat.positions[t.x]);
-    const glm::dvec3 ab = glm::dvec3(m_impl->flat.positions[t.y]) - a, ac = glm::dvec3(m_impl->flat.positions[t.z]) - a;
+void RayScene::nearest(const Ray* rays, int count, std::optional<RayHit>* hits) const {
+    RayContext context = m_impl->context(rays);
+    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    alignas(64) int valid[RayBundle::kSize]{};
+    RTCRayHit16 packet{};
+    setRays(packet.ray, rays, count, valid);
+    for (unsigned& geometry : packet.hit.geomID) geometry = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect16(valid, m_impl->embree.get(), &context.base, &packet);
+    for (int i = 0; i < count; ++i) {
+        hits[i].reset();
+        if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
+        const std::uint32_t triangle = context.triangleOf(packet.hit.geomID[i], packet.hit.primID[i]);
+        hits[i] = m_impl->refined(rays[i], {triangle, packet.hit.u[i], packet.hit.v[i], packet.ray.tfar[i]});
+    }
+}
+
+RayHit RayScene::Impl::refined(const Ray& ray, RayHit hit) const {
+    // Moeller and Trumbore 1997.
+    const glm::uvec3 t = flat.triangles[hit.triangle];
+    const glm::dvec3 a(flat.positions[t.x]);
+    const glm::dvec3 ab = glm::dvec3(flat.positions[t.y]) - a, ac = glm::dvec3(flat.positions[t.z]) - a;
     const glm::dvec3 p = glm::cross(ray.direction, ac), fromA = ray.origin - a, q = glm::cross(fromA, ab);
     const double determinant = glm::dot(ab, p);
-    RayHit hit{triangle, r.hit.u, r.hit.v, r.ray.tfar};
-    if (determinant != 0) {
-        // A ray along the edge may leave the triangle by the rounding that Embree's robust test allows: back onto it.
-        hit.u = std::clamp(glm::dot(fromA, p) / determinant, 0.0, 1.0);
-        hit.v = std::clamp(glm::dot(ray.direction, q) / determinant, 0.0, 1.0 - hit.u);
-        hit.distance_m = glm::dot(ac, q) / determinant;
-    }
+    if (determinant == 0) return hit;
+    // A ray along the edge may leave the triangle by the rounding that Embree's robust test allows: back onto it.
+    hit.u = std::clamp(glm::dot(fromA, p) / determinant, 0.0, 1.0);
+    hit.v = std::clamp(glm::dot(ray.direction, q) / determinant, 0.0, 1.0 - hit.u);
+    hit.distance_m = glm::dot(ac, q) / determinant;
     return hit;
 }
 

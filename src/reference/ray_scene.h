@@ -63,14 +63,14 @@ public:
     bool occluded(const Ray& ray) const;
     std::optional<RayHit> nearest(const Ray& ray) const;
 
-    /// One bit for each of up to RayBundle::kSize rays: whether it is blocked.
-    std::uint32_t occluded(const Ray* rays, int count) const;
+    /// The same for up to RayBundle::kSize rays that start and end near each other.
+    void nearest(const Ray* rays, int count, std::optional<RayHit>* hits) const;
 
     /// Looks around the point once. `instances` as in Ray.
     RayOrigin startAt(const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t ownTriangle,
                       const std::vector<bool>* instances) const;
 
-    /// The same for those rays of the bundle whose bit is set in `wanted`; other bits of the result are 0.
+    /// One bit for each ray of the bundle: whether it is blocked. 0 where the bit in `wanted` is 0.
     std::uint32_t occluded(const RayOrigin& origin, const RayBundle& bundle, std::uint32_t wanted) const;
 
     /// Every surface that the ray meets, nearest first.

@@ -45,16 +45,26 @@ const Light& checkedLight(const Scene& scene, int light) {
     return scene.lights[std::size_t(light)];
 }
 
-void resize(ShadowTruth& t, std::size_t count) {
-    t.visibility.assign(count, 1.0f);
-    t.standardError.assign(count, 0.0f);
-    t.irradianceShare.assign(count, 1.0f);
-    t.irradiance.assign(count, 0.0f);
-    t.cosine.assign(count, 0.0f);
-    t.blockerDistance_m.assign(count, std::numeric_limits<float>::infinity());
-    t.lightDistance_m.assign(count, std::numeric_limits<float>::infinity());
-    t.blockerInstance.assign(count, kNoHit);
-    t.mask.assign(count, Mask::Sky);
+/// Every array's first touch costs about as much as a tenth of a hard ray a pixel: by turns on all threads.
+void resize(ShadowTruth& t, std::size_t count, const ReferenceOptions& options) {
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    const std::array<std::pair<std::vector<float>*, float>, 7> planes = {{{&t.visibility, 1.0f},
+                                                                          {&t.standardError, 0.0f},
+                                                                          {&t.irradianceShare, 1.0f},
+                                                                          {&t.irradiance, 0.0f},
+                                                                          {&t.cosine, 0.0f},
+                                                                          {&t.blockerDistance_m, kInfinite},
+                                                                          {&t.lightDistance_m, kInfinite}}};
+    ReferenceOptions quiet = options;
+    quiet.progress = nullptr;
+    parallelRows(int(planes.size()) + 1, quiet, [&](int i) {
+        if (std::size_t(i) < planes.size()) {
+            planes[std::size_t(i)].first->assign(count, planes[std::size_t(i)].second);
+        } else {
+            t.blockerInstance.assign(count, kNoHit);
+            t.mask.assign(count, Mask::Sky);
+        }
+    });
 }
 
 }  // namespace
@@ -128,10 +138,11 @@ public:
     void row(int y, const std::vector<const std::vector<bool>*>& casters, const SampleSets* sets,
              const std::function<std::uint32_t(std::size_t)>& seedOf) {
         Queue queue;
+        SurfacePoints points(m_flat, m_receivers, m_rays.positionError_m(0));
         for (int x = 0; x < m_receivers.width; ++x) {
             const std::size_t i = std::size_t(y) * std::size_t(m_receivers.width) + std::size_t(x);
             if (m_receivers.triangle[i] == kNoHit) continue;
-            const SurfacePoint point = surfacePoint(m_flat, m_receivers, i, m_inset_m);
+            const SurfacePoint point = points.at(i);
             const LightSample centre = m_shape.centre(point.position);
             m_truth.cosine[i] = float(glm::dot(centre.direction, point.normal));
             m_truth.lightDistance_m[i] = float(centre.distance_m);
@@ -171,7 +182,8 @@ private:
     void softPixel(std::size_t i, const SurfacePoint& point, const LightSample& centre,
                    const std::vector<bool>* casters, const SampleSets& sets, std::uint32_t seed) {
         store(i, softTruth(m_rays, m_shape, point, casters, sets, seed));
-        if (m_truth.mask[i] == Mask::Valid) findBlocker(i, rayTo(m_rays, point, centre, casters));
+        if (m_truth.mask[i] != Mask::Valid) return;
+        if (const auto hit = m_rays.nearest(rayTo(m_rays, point, centre, casters))) keepBlocker(i, *hit);
     }
 
     void hardPixel(std::size_t i, const SurfacePoint& point, const LightSample& centre,
@@ -189,13 +201,15 @@ private:
         if (queue.count == RayBundle::kSize) flush(queue);
     }
 
+    /// One ray tells both whether the light is seen and what is in the way.
     void flush(Queue& queue) {
         if (queue.count == 0) return;
-        const std::uint32_t blocked = m_rays.occluded(queue.rays.data(), queue.count);
+        std::array<std::optional<RayHit>, RayBundle::kSize> hits;
+        m_rays.nearest(queue.rays.data(), queue.count, hits.data());
         for (std::size_t k = 0; k < std::size_t(queue.count); ++k) {
             const std::size_t i = queue.pixels[k];
-            if (blocked >> k & 1u)
-                findBlocker(i, queue.rays[k]);
+            if (hits[k])
+                keepBlocker(i, *hits[k]);
             else
                 m_truth.visibility[i] = m_truth.irradianceShare[i] = 1;
         }
@@ -203,11 +217,9 @@ private:
     }
 
     /// The blocker that a hard shadow would come from.
-    void findBlocker(std::size_t i, const Ray& ray) {
-        const auto hit = m_rays.nearest(ray);
-        if (!hit) return;
-        m_truth.blockerDistance_m[i] = float(hit->distance_m);
-        m_truth.blockerInstance[i] = m_flat.triangleInstance[hit->triangle];
+    void keepBlocker(std::size_t i, const RayHit& hit) {
+        m_truth.blockerDistance_m[i] = float(hit.distance_m);
+        m_truth.blockerInstance[i] = m_flat.triangleInstance[hit.triangle];
     }
 
     void store(std::size_t i, const LightTruth& truth) {
@@ -224,7 +236,6 @@ private:
     const LightShape& m_shape;
     const Receivers& m_receivers;
     ShadowTruth& m_truth;
-    const double m_inset_m = m_rays.positionError_m(0);
 };
 
 /// The kind, when it is one that shadow() answers.
@@ -252,7 +263,7 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
     t.height = receivers.height;
     t.soft = shape.hasSize();
     t.samplesPerPixel = t.soft ? samples * kScramblings : 1;
-    resize(t, receivers.triangle.size());
+    resize(t, receivers.triangle.size(), options);
 
     // Who shades whom: all casters everyone, or every model itself alone. Where nothing is left out rays need not ask.
     std::vector<std::vector<bool>> shading(1, shadingInstances(flat, source));
