@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <ombrage/ao_integrand.h>
 #include <ombrage/metrics.h>
 #include <ombrage/technique.h>
 
@@ -29,8 +30,8 @@ public:
     virtual void* params() = 0;
     virtual const ParamTable& table() const = 0;
 
-    /// Called before the first frame and whenever the picture's size, the scene or a Define or Resize parameter changed:
-    /// drop what depends on them.
+    /// Called before the first frame and whenever the picture's size, the scene or a Define or Resize parameter
+    /// changed: drop what depends on them.
     virtual void prepare(FrameContext&) {}
 
     /// The row that made this object; set by createTechnique().
@@ -44,8 +45,8 @@ private:
     const TechniqueEntry* m_entry = nullptr;
 };
 
-/// Visibility of one light. `visibility` is R16F of the picture's size, cleared to 1; write [0,1], 1 = fully lit. Pixels of
-/// the sky, facing away from the light, or out of its range need no work: composing multiplies by n.l anyway.
+/// Visibility of one light. `visibility` is R16F of the picture's size, cleared to 1; write [0,1], 1 = fully lit.
+/// Pixels of the sky, facing away from the light, or out of its range need no work: composing multiplies by n.l anyway.
 class ShadowTechnique : public Technique {
 public:
     virtual void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) = 0;
@@ -104,21 +105,44 @@ struct NoParams {
     static ParamTable describe() { return {}; }
 };
 
-template <typename P = NoParams> using ShadowTechniqueOf = WithParams<ShadowTechnique, P>;
-template <typename P = NoParams> using AoTechniqueOf = WithParams<AoTechnique, P>;
-template <typename P = NoParams> using FilterTechniqueOf = WithParams<FilterTechnique, P>;
-template <typename P = NoParams> using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
-template <typename P = NoParams> using AaTechniqueOf = WithParams<AaTechnique, P>;
+template <typename P = NoParams>
+using ShadowTechniqueOf = WithParams<ShadowTechnique, P>;
+template <typename P = NoParams>
+using AoTechniqueOf = WithParams<AoTechnique, P>;
+template <typename P = NoParams>
+using FilterTechniqueOf = WithParams<FilterTechnique, P>;
+template <typename P = NoParams>
+using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
+template <typename P = NoParams>
+using AaTechniqueOf = WithParams<AaTechnique, P>;
+
+/// Makes the integral that a technique of ambient occlusion claims, for parameters that differ from the defaults.
+using IntegrandMaker = std::function<std::unique_ptr<AoIntegrand>(const TechniqueSpec&)>;
+
+/// The values of `spec` put into a parameter struct. @throws Error(Usage) as createTechnique.
+void setParams(const TechniqueSpec& spec, const ParamTable& table, void* params);
+
+/// The maker for TechniqueTraits from a function of the technique's parameter struct.
+template <typename P>
+IntegrandMaker integrandOf(std::unique_ptr<AoIntegrand> (*make)(const P&)) {
+    return [make](const TechniqueSpec& spec) {
+        P params;
+        setParams(spec, P::describe(), &params);
+        return make(params);
+    };
+}
 
 /// What a technique's source says of itself, beside its parameters.
 struct TechniqueTraits {
     std::string title;
     std::string summary;
-    std::vector<std::string> papers;   ///< keys of docs/references.bib
+    std::vector<std::string> papers;  ///< keys of docs/references.bib
     std::string limits;
     Domain domain;
-    std::vector<PassInfo> passes;      ///< every name that the technique exposes
-    bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
+    std::vector<PassInfo> passes;  ///< every name that the technique exposes
+    bool needsStencil = false;     ///< the G-buffer's depth must carry a stencil plane
+    IntegrandMaker integrand =
+        {};  ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
 };
 
 /// A row of the generated table.
@@ -150,14 +174,12 @@ std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec);
 #define OMBRAGE_FAMILY_filter ::ombrage::Family::Filter
 #define OMBRAGE_FAMILY_indirect ::ombrage::Family::Indirect
 #define OMBRAGE_FAMILY_aa ::ombrage::Family::Aa
-#define OMBRAGE_TECHNIQUE(familyId, nameId, Class, ...)                                                               \
-    const ::ombrage::TechniqueEntry& techniqueEntry_##familyId##_##nameId() {                                         \
-        static const ::ombrage::TechniqueEntry entry{OMBRAGE_FAMILY_##familyId,                                       \
-                                                     ::ombrage::techniqueNameFromIdentifier(#nameId),                 \
-                                                     ::ombrage::TechniqueTraits __VA_ARGS__,                          \
-                                                     &Class::staticTable,                                             \
-                                                     [] { return std::make_unique<Class>(); }};                       \
-        return entry;                                                                                                 \
+#define OMBRAGE_TECHNIQUE(familyId, nameId, Class, ...)                                                             \
+    const ::ombrage::TechniqueEntry& techniqueEntry_##familyId##_##nameId() {                                       \
+        static const ::ombrage::TechniqueEntry entry{                                                               \
+            OMBRAGE_FAMILY_##familyId, ::ombrage::techniqueNameFromIdentifier(#nameId),                             \
+            ::ombrage::TechniqueTraits __VA_ARGS__, &Class::staticTable, [] { return std::make_unique<Class>(); }}; \
+        return entry;                                                                                               \
     }
 
 }  // namespace ombrage
