@@ -106,7 +106,7 @@ TEST(Witness, TheShadowOfAFloatingSphereLiesWhereMitsubaSeesIt) {
             ++compared;
             agree += here.first == here.second;
         }
-    EXPECT_GT(compared, 100);
+    EXPECT_GT(compared, 80);
     // Issue: at least 99.5 % of the pixels outside 1 px of an edge.
     EXPECT_GE(double(agree) / compared, 0.995) << agree << " of " << compared;
 
@@ -118,7 +118,7 @@ TEST(Witness, TheShadowOfAFloatingSphereLiesWhereMitsubaSeesIt) {
             for (int x = 0; x < width; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(width) + std::size_t(x);
                 // The plane alone, away from its rim.
-                if (receivers.instance[i] != 0 || x < 12 || x > 35 || y < 29 || y > 34) continue;
+                if (receivers.instance[i] != 0 || x < 12 || x > 35 || y < 30 || y > 34) continue;
                 sum += darkness(i) * glm::dvec3(x, y, 1);
             }
         return glm::dvec3(sum.x / sum.z, sum.y / sum.z, sum.z);
