@@ -47,7 +47,7 @@ struct Subject {
 };
 
 struct Options {
-    std::string scene;
+    std::string scene, shaderDir;
     std::vector<std::string> shadows{"none"};
     bool yardstick = false, json = false;
     int width = 1280, height = 720, rounds = 5, frames = 12, mapSize = 2048;
@@ -55,7 +55,9 @@ struct Options {
 
 int run(const Options& options) {
     const Scene scene = loadScene(options.scene);
-    Renderer renderer;
+    RendererOptions device;
+    device.shaderDir = options.shaderDir;
+    Renderer renderer(device);
     renderer.setScene(scene);
     std::unique_ptr<MinimalLoop> loop;
     std::vector<Subject> subjects;
@@ -137,6 +139,7 @@ int main(int argc, char** argv) {
     app.add_option("scene", options.scene, "built-in scene or file")->required();
     app.add_option("--shadow", options.shadows, "pipelines, as for ombrage render")->delimiter('\0');
     app.add_flag("--yardstick", options.yardstick, "also the minimal loop, first");
+    app.add_option("--shader-dir", options.shaderDir, "read shaders from here");
     app.add_option("--width", options.width);
     app.add_option("--height", options.height);
     app.add_option("--rounds", options.rounds)->check(CLI::PositiveNumber);

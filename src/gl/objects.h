@@ -158,7 +158,7 @@ struct VertexBinding {
 class VertexArray {
 public:
     VertexArray() = default;
-    VertexArray(std::initializer_list<VertexBinding> bindings, std::initializer_list<VertexAttribute> attributes,
+    VertexArray(const std::vector<VertexBinding>& bindings, const std::vector<VertexAttribute>& attributes,
                 GLuint indexBuffer);
     ~VertexArray();
     VertexArray(VertexArray&& other) noexcept;

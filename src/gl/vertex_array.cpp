@@ -24,8 +24,8 @@ bool isIntegerType(GLenum type) {
 
 }  // namespace
 
-VertexArray::VertexArray(std::initializer_list<VertexBinding> bindings,
-                         std::initializer_list<VertexAttribute> attributes, GLuint indexBuffer) {
+VertexArray::VertexArray(const std::vector<VertexBinding>& bindings, const std::vector<VertexAttribute>& attributes,
+                         GLuint indexBuffer) {
     glCreateVertexArrays(1, &m_id);
     for (const VertexBinding& b : bindings) {
         glVertexArrayVertexBuffer(m_id, b.binding, b.buffer, b.offset, b.stride);

@@ -36,38 +36,45 @@ void Composer::bindLight(const LightFrame& frame, std::size_t instanceCount) {
 }
 
 TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& settings,
-                                     const std::vector<LitLight>& lights, const gl::Texture& ao,
-                                     const gl::Texture& indirect) {
+                                     const std::vector<LitLight>& lights, const TargetPool::Target& ao,
+                                     const TargetPool::Target& indirect) {
     const bool naive = settings.composite != Composite::Lighting && !lights.empty();
     auto color = frame.targets->take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "color");
     {
         const auto pass = frame.pass("lighting");
-        const gl::Framebuffer target({{color.get()}}, {}, "lighting");
+        const gl::Framebuffer target({{color.get()}}, {&frame.gbuffer->depth}, "lighting");
         target.bind();
+        // The sky shows the surroundings' own radiance, as in the truth's picture.
+        target.clearColor(0, glm::vec4(glm::vec3(frame.scene->ambient), 1.0f));
         frame.gpuScene->bindStorage();
         frame.bindGBuffer();
-        ao.bind(6);
-        indirect.bind(7);
+        if (ao) ao->bind(6);
+        if (indirect) indirect->bind(7);
         // The first light is drawn together with all that no light owns; later ones are added.
         const std::size_t passes = std::max<std::size_t>(lights.size(), 1);
         for (std::size_t i = 0; i < passes; ++i) {
-            std::vector<std::pair<std::string, std::string>> defines = {
-                {"SHADING", std::to_string(int(settings.shading))}, {"AMBIENT", std::to_string(int(settings.ambient))}};
-            if (i == 0) defines.emplace_back("FIRST_LIGHT", "1");
+            std::vector<std::pair<std::string, std::string>> defines = {{"SHADING", std::to_string(int(settings.shading))}};
+            const auto define = [&](const char* name, bool wanted) {
+                if (wanted) defines.emplace_back(name, "1");
+            };
+            define("MATERIAL_PLANE", frame.gbuffer->layout.material);
+            define("EXCEPTIONS", frame.gpuScene->hasLightExceptions());
+            define("FIRST_LIGHT", i == 0);
+            define("EMISSION", i == 0 && frame.gpuScene->hasEmission());
+            define("AMBIENT", i == 0 && settings.ambient != AmbientTerm::Off);
+            define("OCCLUSION", i == 0 && settings.ambient == AmbientTerm::Ao && ao);
+            define("INDIRECT", i == 0 && indirect);
+            if (!lights.empty()) {
+                bindLight(lights[i].light, frame.gpuScene->flat().instances.size());
+                defines.emplace_back("LIGHT_TYPE", std::to_string(int(lights[i].light.light->type)));
+                define("VISIBILITY", lights[i].visibility && !naive);
+                if (lights[i].visibility) lights[i].visibility->bind(5);
+            }
             const gl::Program& program = frame.program(
                 {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}},
                 std::move(defines));
-            gl::DrawState state;
-            state.blend = i > 0;
-            gl::apply(state);
             program.set("u_ambient", frame.scene->ambient);
-            program.set("u_hasLight", lights.empty() ? 0 : 1);
-            program.set("u_useVisibility", naive ? 0 : 1);
-            if (!lights.empty()) {
-                bindLight(lights[i].light, frame.gpuScene->flat().instances.size());
-                lights[i].visibility->bind(5);
-            }
-            frame.drawFullscreen();
+            frame.drawSurfaces(i > 0);
         }
     }
     return naive ? applyNaively(frame, settings, lights, color) : color;
@@ -96,6 +103,7 @@ TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSetti
         const gl::Program& program = frame.program(stages, {{"ACCUMULATE", "1"}, {"COMPOSITE", mode}});
         program.set("u_scale", float(settings.overlayOpacity) / float(lights.size()));
         for (const LitLight& light : lights) {
+            if (!light.visibility) continue;
             light.visibility->bind(5);
             frame.drawFullscreen();
         }

@@ -12,16 +12,16 @@ namespace ombrage {
 /// Visibility of one light, ready for lighting.
 struct LitLight {
     LightFrame light;
-    TargetPool::Target visibility;
+    TargetPool::Target visibility;   ///< none: 1 everywhere
 };
 
 /// Lights the G-buffer, once, after every technique: the one place where visibility, occlusion, indirect light and
 /// materials meet.
 class Composer {
 public:
-    /// Returns RGBA16F, linear.
+    /// Returns RGBA16F, linear. Without `ao` nothing is occluded, without `indirect` nothing bounces.
     TargetPool::Target compose(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
-                               const gl::Texture& ao, const gl::Texture& indirect);
+                               const TargetPool::Target& ao, const TargetPool::Target& indirect);
 
     /// Uploads and binds the block of ombrage/light.glsl; techniques' shaders read the same.
     void bindLight(const LightFrame& light, std::size_t instanceCount);

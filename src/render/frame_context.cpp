@@ -48,6 +48,7 @@ const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::S
     const ParamTable& table = technique.table();
     const auto own = table.glslDefines(technique.params());
     defines.insert(defines.end(), own.begin(), own.end());
+    if (recorder->lightType) defines.emplace_back("LIGHT_TYPE", std::to_string(int(*recorder->lightType)));
 
     // The technique's own block: uploaded when its bytes changed, bound anew because every technique shares the binding.
     auto& block = recorder->blocks[&technique];
@@ -86,12 +87,20 @@ void FrameContext::drawFullscreen() {
     countDraw(1, 1);
 }
 
+void FrameContext::drawSurfaces(bool blend) {
+    // The triangle lies at depth 0, the sky's; what is nearer has more.
+    gl::DrawState state;
+    state.depthTest = true;
+    state.depthFunc = GL_LESS;
+    state.blend = blend;
+    gl::apply(state);
+    drawFullscreen();
+}
+
 void FrameContext::bindGBuffer() const {
     gbuffer->depth.bind(kUnitDepth);
-    gbuffer->normals.bind(kUnitNormals);
-    gbuffer->albedo.bind(kUnitAlbedo);
-    gbuffer->material.bind(kUnitMaterial);
-    gbuffer->ids.bind(kUnitIds);
+    gbuffer->surface.bind(kUnitSurface);
+    if (gbuffer->material) gbuffer->material.bind(kUnitMaterial);
 }
 
 }  // namespace ombrage

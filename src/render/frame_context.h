@@ -20,13 +20,20 @@ namespace ombrage {
 
 class Technique;
 
+/// What a G-buffer is made for.
+struct GBufferLayout {
+    int width = 0, height = 0;
+    bool stencil = false;    ///< a technique counts in the depth's stencil plane
+    bool material = false;   ///< lighting, or a view, wants more of the material than its colour
+    bool operator==(const GBufferLayout&) const = default;
+};
+
 /// The picture's geometry, one texel per pixel. Depth 0 is the sky.
 struct GBuffer {
+    GBufferLayout layout;
     gl::Texture depth;      ///< D32F, or D32F_S8 when a technique needs stencil; reversed-Z
-    gl::Texture normals;    ///< RGBA16: octahedral n_g in xy, n_s in zw, both towards the eye (ombrage/gbuffer.glsl decodes)
-    gl::Texture albedo;     ///< SRGB8_ALPHA8: base colour
-    gl::Texture material;   ///< RGBA8: metallic, roughness, specular luminance, shininess/256
-    gl::Texture ids;        ///< RG32UI: instance, global triangle; ~0 for sky
+    gl::Texture surface;    ///< RGBA32UI, words as in ombrage/surface.glsl: n_g and n_s towards the eye, albedo, triangle
+    gl::Texture material;   ///< R32UI: metallic, roughness, specular luminance, shininess/255; empty where nothing asks for it
     gl::Framebuffer framebuffer;
 };
 
@@ -105,6 +112,10 @@ public:
     /// One triangle over the viewport, counted.
     void drawFullscreen();
 
+    /// The same over the surfaces alone: pixels of the sky fail the depth test and cost nothing. The G-buffer's depth is
+    /// attached to the bound framebuffer (and may be read, for it is not written); sets the draw state.
+    void drawSurfaces(bool blend = false);
+
     /// Binds the G-buffer's textures to the units of ombrage/gbuffer.glsl.
     void bindGBuffer() const;
 
@@ -118,7 +129,7 @@ inline constexpr unsigned kParamsBinding = 1;
 inline constexpr unsigned kLightBinding = 2;
 inline constexpr unsigned kInstanceStorage = 0;    ///< b_instances
 inline constexpr unsigned kMaterialStorage = 1;    ///< b_materials
-inline constexpr unsigned kUnitDepth = 0, kUnitNormals = 1, kUnitAlbedo = 2, kUnitMaterial = 3, kUnitIds = 4;
+inline constexpr unsigned kUnitDepth = 0, kUnitSurface = 1, kUnitMaterial = 2;
 inline constexpr unsigned kFirstFreeUnit = 5;      ///< techniques' own textures start here
 inline constexpr unsigned kUnitMaterialTextures = 16;  ///< base colour, normal, height, metallic-roughness, emissive
 

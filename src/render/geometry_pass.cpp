@@ -12,20 +12,37 @@ struct FrameBlock {
     glm::uvec4 random;
 };
 
-gl::TextureDesc plane(GLenum format, int width, int height) { return {.format = format, .width = width, .height = height}; }
+/// The variant of gbuffer.frag that a batch needs.
+std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batch, const FrameContext& frame, bool masked) {
+    const auto has = [&](std::size_t map) { return batch.textures[map] >= 0; };
+    std::vector<std::pair<std::string, std::string>> defines;
+    const auto define = [&](const char* name) { defines.emplace_back(name, "1"); };
+    if (masked) define("ALPHA_MASK");
+    if (has(0)) define("BASE_COLOR_MAP");
+    if (frame.normals == NormalSource::Map && has(1))
+        define("NORMAL_MAP");
+    else if (frame.normals != NormalSource::Geometry && has(2))
+        define("HEIGHT_MAP");
+    if (frame.gbuffer->layout.material && has(3)) define("METALLIC_ROUGHNESS_MAP");
+    if (!defines.empty()) define("UV");
+    if (frame.gbuffer->layout.material) define("MATERIAL_PLANE");
+    return defines;
+}
 
 }  // namespace
 
-std::unique_ptr<GBuffer> GeometryPass::makeGBuffer(int width, int height, bool stencil) {
+std::unique_ptr<GBuffer> GeometryPass::makeGBuffer(const GBufferLayout& layout) {
+    const auto plane = [&](GLenum format) { return gl::TextureDesc{.format = format, .width = layout.width, .height = layout.height}; };
     auto g = std::make_unique<GBuffer>();
-    const GLenum depthFormat = stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
-    g->depth = gl::Texture(plane(depthFormat, width, height), "g-buffer depth");
-    g->normals = gl::Texture(plane(GL_RGBA16, width, height), "g-buffer normals");
-    g->albedo = gl::Texture(plane(GL_SRGB8_ALPHA8, width, height), "g-buffer albedo");
-    g->material = gl::Texture(plane(GL_RGBA8, width, height), "g-buffer material");
-    g->ids = gl::Texture(plane(GL_RG32UI, width, height), "g-buffer ids");
-    g->framebuffer =
-        gl::Framebuffer({{&g->normals}, {&g->albedo}, {&g->material}, {&g->ids}}, {&g->depth}, "g-buffer");
+    g->layout = layout;
+    g->depth = gl::Texture(plane(layout.stencil ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F), "g-buffer depth");
+    g->surface = gl::Texture(plane(GL_RGBA32UI), "g-buffer surface");
+    std::vector<gl::Attachment> colors{{&g->surface}};
+    if (layout.material) {
+        g->material = gl::Texture(plane(GL_R32UI), "g-buffer material");
+        colors.push_back({&g->material});
+    }
+    g->framebuffer = gl::Framebuffer(colors, {&g->depth}, "g-buffer");
     return g;
 }
 
@@ -55,23 +72,26 @@ void GeometryPass::draw(FrameContext& frame) const {
     state.depthTest = state.depthWrite = true;
     gl::apply(state);
     target.clearDepth(0.0f);
-    if (frame.gbuffer->depth.desc().format == GL_DEPTH32F_STENCIL8) target.clearStencil(0);
-    target.clearColorUint(3, glm::uvec4(kNoHit, kNoHit, 0, 0));
+    if (frame.gbuffer->layout.stencil) target.clearStencil(0);
+    target.clearColorUint(0, glm::uvec4(0, 0, 0, kNoHit));
 
-    const std::string normals = std::to_string(int(frame.normals));
-    const auto draw = [&](DrawFilter::Alpha alpha, std::vector<std::pair<std::string, std::string>> defines) {
-        frame.program({{GL_VERTEX_SHADER, "ombrage/gbuffer.vert"}, {GL_FRAGMENT_SHADER, "ombrage/gbuffer.frag"}}, std::move(defines));
-        const DrawCounts counts = frame.gpuScene->draw({.alpha = alpha}, false);
-        frame.countDraw(counts.draws, counts.triangles);
+    frame.gpuScene->bindStorage();
+    const auto draw = [&](DrawFilter::Alpha alpha) {
+        for (const DrawBatch& batch : frame.gpuScene->batches({.alpha = alpha})) {
+            frame.program({{GL_VERTEX_SHADER, "ombrage/gbuffer.vert"}, {GL_FRAGMENT_SHADER, "ombrage/gbuffer.frag"}},
+                          definesOf(batch, frame, alpha == DrawFilter::Alpha::MaskedOnly));
+            const DrawCounts counts = frame.gpuScene->draw(batch, false);
+            frame.countDraw(counts.draws, counts.triangles);
+        }
     };
     // Opaque surfaces first: a shader without discard keeps the early depth test.
-    draw(DrawFilter::Alpha::OpaqueOnly, {{"NORMALS", normals}});
-    if (frame.gpuScene->hasAlphaMask()) draw(DrawFilter::Alpha::MaskedOnly, {{"NORMALS", normals}, {"ALPHA_MASK", "1"}});
+    draw(DrawFilter::Alpha::OpaqueOnly);
+    if (frame.gpuScene->hasAlphaMask()) draw(DrawFilter::Alpha::MaskedOnly);
 }
 
 std::uint64_t byteSize(const GBuffer& g) {
-    return gl::byteSize(g.depth.desc()) + gl::byteSize(g.normals.desc()) + gl::byteSize(g.albedo.desc()) +
-           gl::byteSize(g.material.desc()) + gl::byteSize(g.ids.desc());
+    return gl::byteSize(g.depth.desc()) + gl::byteSize(g.surface.desc()) +
+           (g.material ? gl::byteSize(g.material.desc()) : 0);
 }
 
 }  // namespace ombrage

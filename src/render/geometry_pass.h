@@ -10,8 +10,7 @@ namespace ombrage {
 /// Makes G-buffers and fills them, and keeps the camera's uniform block.
 class GeometryPass {
 public:
-    /// A G-buffer of the given size; `stencil` makes its depth D32F_S8.
-    static std::unique_ptr<GBuffer> makeGBuffer(int width, int height, bool stencil);
+    static std::unique_ptr<GBuffer> makeGBuffer(const GBufferLayout& layout);
 
     /// Uploads the camera's block and binds it for every later shader of the frame.
     void uploadFrameBlock(const FrameContext& frame);

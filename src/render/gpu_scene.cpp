@@ -17,9 +17,10 @@ namespace {
 /// As in ombrage/instances.glsl, std430.
 struct InstanceData {
     glm::mat4 worldFromLocal;
-    glm::mat4 normalFromLocal;
-    std::uint32_t material, firstTriangle, firstMeshTriangle, flags;
+    std::uint32_t baseColor, surface, firstTriangle, material, flags, index;
+    std::uint32_t padding[2] = {};
 };
+constexpr std::uint32_t kMirrored = 1, kUnshadowed = 2;
 
 struct MaterialData {
     glm::vec4 baseColor, specular, emissive, surface;
@@ -33,12 +34,24 @@ struct VertexAttributes {
     glm::vec2 uv;
 };
 
-constexpr GLuint kTriangleNormalStorage = 2, kExclusionStorage = 7;
+constexpr GLuint kTriangleStorage = 2, kExclusionStorage = 7;
 
 glm::vec2 octahedralFromUnit(glm::vec3 n) {
     n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
     if (n.z >= 0.0f) return glm::vec2(n.x, n.y);
     return (1.0f - glm::vec2(std::abs(n.y), std::abs(n.x))) * glm::vec2(n.x >= 0 ? 1 : -1, n.y >= 0 ? 1 : -1);
+}
+
+/// As in ombrage/surface.glsl.
+std::uint32_t packedAlbedo(const glm::vec3& linear) {
+    const glm::uvec3 c(glm::sqrt(glm::clamp(linear, 0.0f, 1.0f)) * glm::vec3(2047, 2047, 1023) + 0.5f);
+    return c.r | c.g << 11 | c.b << 22;
+}
+
+/// Metallic, roughness, luminance of the specular colour, shininess / 255.
+std::uint32_t packedMaterial(const Material& m) {
+    const float specular = glm::dot(m.specular, glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    return glm::packUnorm4x8(glm::vec4(m.metallic, m.roughness, specular, m.shininess / 255.0f));
 }
 
 /// Textures of a material, the key by which draws are grouped.
@@ -48,16 +61,9 @@ std::array<int, 5> textureSet(const Material& m) {
 
 }  // namespace
 
-/// Consecutive indirect commands that share textures and alpha mode.
-struct GpuScene::Batch {
-    std::array<int, 5> textures{-1, -1, -1, -1, -1};
-    gl::Buffer commands;
-    std::size_t commandCount = 0;
-    std::uint64_t triangles = 0;
-};
-
 GpuScene::GpuScene(const Scene& scene) : m_scene(&scene), m_flat(flatten(scene)), m_bounds(scene.bounds()) {
     uploadMeshes();
+    uploadTriangles();
     uploadInstances();
     uploadMaterials();
 
@@ -82,7 +88,6 @@ void GpuScene::uploadMeshes() {
     std::vector<glm::vec3> positions;
     std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
-    std::vector<std::uint32_t> triangleNormals;
     for (const Mesh& mesh : m_scene->meshes) {
         const auto firstVertex = std::uint32_t(positions.size());
         m_meshFirstVertex.push_back(firstVertex);
@@ -90,39 +95,43 @@ void GpuScene::uploadMeshes() {
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
         for (std::size_t v = 0; v < mesh.positions.size(); ++v)
             attributes.push_back({mesh.normals[v], mesh.tangents[v], mesh.uvs[v]});
-        for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-            glm::dvec3 corner[3];
-            for (std::size_t k = 0; k < 3; ++k) {
-                indices.push_back(firstVertex + mesh.indices[i + k]);
-                corner[k] = mesh.positions[mesh.indices[i + k]];
-            }
-            // The triangle's own normal, in double so that slivers keep theirs.
-            const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-            const double length = glm::length(n);
-            const glm::vec3 unit = length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
-            triangleNormals.push_back(glm::packSnorm2x16(octahedralFromUnit(unit)));
-        }
+        for (std::uint32_t index : mesh.indices) indices.push_back(firstVertex + index);
     }
     m_positions = gl::Buffer::from(positions, "scene positions");
     m_attributes = gl::Buffer::from(attributes, "scene attributes");
     m_indices = gl::Buffer::from(indices, "scene indices");
-    m_triangleNormals = gl::Buffer::from(triangleNormals, "scene triangle normals");
+}
+
+void GpuScene::uploadTriangles() {
+    std::vector<glm::uvec2> triangles;
+    triangles.reserve(m_flat.triangles.size());
+    for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
+        const Mesh& mesh = m_scene->meshes[std::size_t(m_flat.instances[i].mesh)];
+        const glm::dmat3 linear(m_scene->instances[i].worldFromLocal);
+        for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
+            // The triangle's own normal, in double so that slivers keep theirs; in the order in which the corners are drawn.
+            glm::dvec3 corner[3];
+            for (std::size_t k = 0; k < 3; ++k) corner[k] = linear * glm::dvec3(mesh.positions[mesh.indices[3 * t + k]]);
+            const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+            const double length = glm::length(n);
+            const glm::vec3 unit = length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
+            triangles.emplace_back(glm::packSnorm2x16(octahedralFromUnit(unit)), std::uint32_t(i));
+        }
+    }
+    m_triangles = gl::Buffer::from(triangles, "scene triangles");
 }
 
 void GpuScene::uploadInstances() {
     std::vector<InstanceData> data;
-    std::vector<std::uint32_t> ids;
     for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
         const FlatInstance& instance = m_flat.instances[i];
-        const glm::dmat3 linear(m_scene->instances[i].worldFromLocal);
-        data.push_back({instance.originFromLocal, glm::mat4(glm::mat3(glm::inverseTranspose(linear))),
-                        std::uint32_t(instance.material), instance.firstTriangle,
-                        m_meshFirstIndex[std::size_t(instance.mesh)] / 3,
-                        (instance.mirrored ? 1u : 0u) | (instance.receives ? 0u : 2u)});
-        ids.push_back(std::uint32_t(i));
+        const Material& material = m_scene->materials[std::size_t(instance.material)];
+        data.push_back({instance.originFromLocal, packedAlbedo(material.baseColor), packedMaterial(material),
+                        instance.firstTriangle, std::uint32_t(instance.material),
+                        (instance.mirrored ? kMirrored : 0u) | (instance.receives ? 0u : kUnshadowed), std::uint32_t(i)});
+        m_hasLightExceptions = m_hasLightExceptions || !instance.receives;
     }
     m_instances = gl::Buffer::from(data, "scene instances");
-    m_instanceIds = gl::Buffer::from(ids, "scene instance ids");
 
     // One bit per light and instance: the light leaves the instance out.
     const std::size_t words = (m_flat.instances.size() + 31) / 32;
@@ -130,21 +139,32 @@ void GpuScene::uploadInstances() {
     for (std::size_t l = 0; l < m_scene->lights.size(); ++l)
         for (int model : m_scene->lights[l].excludedModels)
             for (std::size_t i = 0; i < m_flat.instances.size(); ++i)
-                if (m_flat.instances[i].model == model) exclusions[l * words + i / 32] |= 1u << (i % 32);
+                if (m_flat.instances[i].model == model) {
+                    exclusions[l * words + i / 32] |= 1u << (i % 32);
+                    m_hasLightExceptions = true;
+                }
     m_exclusions = gl::Buffer::from(exclusions, "light exclusions");
 
-    const gl::VertexBinding position{0, m_positions.id(), 0, sizeof(glm::vec3), 0};
-    const gl::VertexBinding attribute{1, m_attributes.id(), 0, sizeof(VertexAttributes), 0};
-    const gl::VertexBinding instanceId{2, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1};
-    m_positionArray = gl::VertexArray({position, instanceId}, {{0, 3, GL_FLOAT, 0, 0}, {4, 1, GL_UNSIGNED_INT, 0, 2}},
-                                      m_indices.id());
-    m_fullArray = gl::VertexArray({position, attribute, instanceId},
-                                  {{0, 3, GL_FLOAT, 0, 0},
-                                   {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
-                                   {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
-                                   {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1},
-                                   {4, 1, GL_UNSIGNED_INT, 0, 2}},
-                                  m_indices.id());
+    m_positionArray = vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
+    m_fullArray = vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0},
+                               {1, m_attributes.id(), 0, sizeof(VertexAttributes), 0}},
+                              {{0, 3, GL_FLOAT, 0, 0},
+                               {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
+                               {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
+                               {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1}},
+                              m_indices);
+}
+
+gl::VertexArray GpuScene::vertexArray(std::vector<gl::VertexBinding> bindings, std::vector<gl::VertexAttribute> attributes,
+                                      const gl::Buffer& indices) const {
+    constexpr GLuint kBinding = 2, kFirstColumn = 5;
+    bindings.push_back({kBinding, m_instances.id(), 0, sizeof(InstanceData), 1});
+    attributes.push_back({4, 1, GL_UNSIGNED_INT, GLuint(offsetof(InstanceData, index)), kBinding});
+    for (GLuint column = 0; column < 4; ++column)
+        attributes.push_back({kFirstColumn + column, 3, GL_FLOAT, column * GLuint(sizeof(glm::vec4)), kBinding});
+    attributes.push_back({9, 4, GL_UNSIGNED_INT, GLuint(offsetof(InstanceData, baseColor)), kBinding});
+    attributes.push_back({10, 1, GL_UNSIGNED_INT, GLuint(offsetof(InstanceData, flags)), kBinding});
+    return gl::VertexArray(bindings, attributes, indices.id());
 }
 
 void GpuScene::uploadMaterials() {
@@ -155,6 +175,8 @@ void GpuScene::uploadMaterials() {
         for (std::size_t t = 0; t < textures.size(); ++t) bits.x |= textures[t] >= 0 ? 1u << t : 0u;
         bits.y = m.alphaMode == AlphaMode::Mask ? 1u : 0u;
         m_hasAlphaMask = m_hasAlphaMask || bits.y != 0;
+        m_hasSpecular = m_hasSpecular || m.specular != glm::vec3(0.0f);
+        m_hasEmission = m_hasEmission || m.emissive != glm::vec3(0.0f);
         data.push_back({glm::vec4(m.baseColor, m.alpha), glm::vec4(m.specular, m.shininess),
                         glm::vec4(m.emissive, m.alphaCutoff),
                         glm::vec4(m.metallic, m.roughness, m.normalScale, m.heightScale_uv), bits});
@@ -173,19 +195,9 @@ void GpuScene::uploadMaterials() {
         image.setWrap(GL_REPEAT);
         m_textures.push_back(std::move(image));
     }
-    const std::uint8_t white[4] = {255, 255, 255, 255}, flat[4] = {128, 128, 255, 255};
-    m_white = gl::Texture({.format = GL_RGBA8}, "white");
-    m_white.upload(0, GL_RGBA, GL_UNSIGNED_BYTE, white);
-    m_flatNormal = gl::Texture({.format = GL_RGBA8}, "flat normal");
-    m_flatNormal.upload(0, GL_RGBA, GL_UNSIGNED_BYTE, flat);
 }
 
-const gl::Texture& GpuScene::texture(int index, bool normalMap) const {
-    if (index >= 0) return m_textures[std::size_t(index)];
-    return normalMap ? m_flatNormal : m_white;
-}
-
-const std::vector<GpuScene::Batch>& GpuScene::batches(const DrawFilter& filter) {
+const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
     const auto known = m_batches.find(filter);
     if (known != m_batches.end()) return known->second;
 
@@ -209,9 +221,9 @@ const std::vector<GpuScene::Batch>& GpuScene::batches(const DrawFilter& filter) 
             {instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
     }
 
-    std::vector<Batch> made;
+    std::vector<DrawBatch> made;
     for (const auto& [textures, commands] : groups) {
-        Batch batch;
+        DrawBatch batch;
         batch.textures = textures;
         batch.commands = gl::Buffer::from(commands, "draw commands");
         batch.commandCount = commands.size();
@@ -224,27 +236,32 @@ const std::vector<GpuScene::Batch>& GpuScene::batches(const DrawFilter& filter) 
 void GpuScene::bindStorage() const {
     m_instances.bindStorage(kInstanceStorage);
     m_materials.bindStorage(kMaterialStorage);
-    m_triangleNormals.bindStorage(kTriangleNormalStorage);
+    m_triangles.bindStorage(kTriangleStorage);
     m_exclusions.bindStorage(kExclusionStorage);
 }
 
 DrawCounts GpuScene::draw(const DrawFilter& filter, bool positionsOnly) {
     bindStorage();
     DrawCounts counts;
-    for (const Batch& batch : batches(filter)) {
-        if (!positionsOnly)
-            for (std::size_t t = 0; t < batch.textures.size(); ++t)
-                texture(batch.textures[t], t == 1).bind(kUnitMaterialTextures + unsigned(t));
-        gl::drawElementsIndirect(positionsOnly ? m_positionArray : m_fullArray, batch.commands, 0, batch.commandCount);
-        counts.draws += batch.commandCount;
-        counts.triangles += batch.triangles;
+    for (const DrawBatch& batch : batches(filter)) {
+        const DrawCounts drawn = draw(batch, positionsOnly);
+        counts.draws += drawn.draws;
+        counts.triangles += drawn.triangles;
     }
     return counts;
 }
 
+DrawCounts GpuScene::draw(const DrawBatch& batch, bool positionsOnly) {
+    if (!positionsOnly)
+        for (std::size_t t = 0; t < batch.textures.size(); ++t)
+            if (batch.textures[t] >= 0) texture(batch.textures[t]).bind(kUnitMaterialTextures + unsigned(t));
+    gl::drawElementsIndirect(positionsOnly ? m_positionArray : m_fullArray, batch.commands, 0, batch.commandCount);
+    return {batch.commandCount, batch.triangles};
+}
+
 std::uint64_t GpuScene::gpuBytes() const {
     std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() +
-                          m_materials.size() + m_triangleNormals.size();
+                          m_materials.size() + m_triangles.size();
     for (const gl::Texture& texture : m_textures) bytes += gl::byteSize(texture.desc());
     return bytes;
 }

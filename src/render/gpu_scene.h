@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -23,6 +24,15 @@ struct DrawFilter {
     }
 };
 
+/// Consecutive indirect draws that share textures and alpha mode.
+struct DrawBatch {
+    /// Of Scene::textures, -1 for none: base colour, normal, height, metallic-roughness, emissive.
+    std::array<int, 5> textures{-1, -1, -1, -1, -1};
+    gl::Buffer commands;
+    std::size_t commandCount = 0;
+    std::uint64_t triangles = 0;
+};
+
 struct DrawCounts {
     std::uint64_t draws = 0, triangles = 0;
 };
@@ -42,6 +52,10 @@ public:
     /// textures. Returns what was drawn.
     DrawCounts draw(const DrawFilter& filter, bool positionsOnly);
 
+    /// The same by hand, for programs that depend on the batch: bindStorage(), then each batch with its program in use.
+    const std::vector<DrawBatch>& batches(const DrawFilter& filter);
+    DrawCounts draw(const DrawBatch& batch, bool positionsOnly);
+
     const Scene& scene() const { return *m_scene; }
     const FlatScene& flat() const { return m_flat; }
     glm::dvec3 origin() const { return m_flat.origin; }
@@ -50,6 +64,10 @@ public:
     glm::vec3 casterLower() const { return m_casterLower; }
     glm::vec3 casterUpper() const { return m_casterUpper; }
     bool hasAlphaMask() const { return m_hasAlphaMask; }
+    /// Whether lighting has any of it to do.
+    bool hasSpecular() const { return m_hasSpecular; }
+    bool hasEmission() const { return m_hasEmission; }
+    bool hasLightExceptions() const { return m_hasLightExceptions; }   ///< instances that receive no shadow, or not every light
 
     const gl::Buffer& vertices() const { return m_positions; }   ///< vec3 local, tightly packed
     const gl::Buffer& indices() const { return m_indices; }      ///< uint32, global vertex indices
@@ -58,11 +76,15 @@ public:
     std::uint32_t meshFirstVertex(int mesh) const { return m_meshFirstVertex[std::size_t(mesh)]; }
     std::uint32_t meshFirstIndex(int mesh) const { return m_meshFirstIndex[std::size_t(mesh)]; }
 
-    /// Binds the storage buffers that ombrage/instances.glsl and gbuffer.frag read.
+    /// A vertex array with the attributes of ombrage/vertex.glsl that come per draw added; binding 2 is theirs.
+    gl::VertexArray vertexArray(std::vector<gl::VertexBinding> bindings, std::vector<gl::VertexAttribute> attributes,
+                                const gl::Buffer& indices) const;
+
+    /// Binds the storage buffers that ombrage/instances.glsl and light.glsl read.
     void bindStorage() const;
 
-    /// Texture object of Scene::textures[index], or a white (normal: flat) texel for -1.
-    const gl::Texture& texture(int index, bool normalMap = false) const;
+    /// Texture object of Scene::textures[index].
+    const gl::Texture& texture(int index) const { return m_textures[std::size_t(index)]; }
 
     std::uint64_t gpuBytes() const;
 
@@ -76,24 +98,21 @@ public:
     }
 
 private:
-    struct Batch;
-    const std::vector<Batch>& batches(const DrawFilter& filter);
-
     const Scene* m_scene;
     FlatScene m_flat;
     Bounds m_bounds;
     glm::vec3 m_casterLower{0.0f}, m_casterUpper{0.0f};
-    bool m_hasAlphaMask = false;
+    bool m_hasAlphaMask = false, m_hasSpecular = false, m_hasEmission = false, m_hasLightExceptions = false;
     void uploadMeshes();
+    void uploadTriangles();
     void uploadInstances();
     void uploadMaterials();
 
     std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
-    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_instanceIds, m_triangleNormals, m_exclusions;
+    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_triangles, m_exclusions;
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
-    gl::Texture m_white, m_flatNormal;
-    std::map<DrawFilter, std::vector<Batch>> m_batches;
+    std::map<DrawFilter, std::vector<DrawBatch>> m_batches;
     std::map<std::type_index, std::shared_ptr<void>> m_derived;
 };
 

@@ -187,8 +187,8 @@ TEST_F(GpuSceneTest, HoldsTheTrianglesOfTheFlatScene) {
         std::vector<std::uint32_t> indices(gpu.indices().size() / sizeof(std::uint32_t));
         gpu.vertices().download(0, gpu.vertices().size(), vertices.data());
         gpu.indices().download(0, gpu.indices().size(), indices.data());
-        // The first 64 bytes of an instance are its matrix (ombrage/instances.glsl), 144 bytes in all under std430.
-        const std::size_t stride = 144;
+        // The first 64 bytes of an instance are its matrix (ombrage/instances.glsl), 96 bytes in all under std430.
+        const std::size_t stride = 96;
         std::vector<char> instances(gpu.instanceStorage().size());
         ASSERT_EQ(instances.size(), stride * flat.instances.size());
         gpu.instanceStorage().download(0, instances.size(), instances.data());

@@ -43,12 +43,7 @@ Image readColor(const gl::Texture& texture, const std::vector<std::string>& plan
     std::vector<float> values(std::size_t(width) * std::size_t(height) * 4);
     texture.download(0, layer, GL_RGBA, GL_FLOAT, values.size() * sizeof(float), values.data());
     flipRows(values, width, height, 4);
-    Image image = planar(values, width, height, 4, planes, space);
-    // Downloads give the stored bytes; shaders see them decoded, alpha apart.
-    if (texture.desc().format == GL_SRGB8_ALPHA8)
-        for (int c = 0; c < std::min(image.planeCount(), 3); ++c)
-            for (float& value : image.plane(c)) value = linearFromSrgb(value);
-    return image;
+    return planar(values, width, height, 4, planes, space);
 }
 
 Image readDepth(const gl::Texture& texture, int layer) {
@@ -67,17 +62,13 @@ Image readStencil(const gl::Texture& texture) {
     return planar(std::vector<float>(bytes.begin(), bytes.end()), width, height, 1, {"count"}, ColorSpace::Data);
 }
 
-void readIds(const gl::Texture& texture, std::vector<std::uint32_t>& red, std::vector<std::uint32_t>& green) {
+std::vector<std::uint32_t> readWords(const gl::Texture& texture) {
     const int width = texture.width(), height = texture.height();
-    std::vector<std::uint32_t> values(std::size_t(width) * std::size_t(height) * 2);
-    texture.download(0, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, values.size() * 4, values.data());
-    flipRows(values, width, height, 2);
-    red.resize(values.size() / 2);
-    green.resize(values.size() / 2);
-    for (std::size_t i = 0; i < red.size(); ++i) {
-        red[i] = values[2 * i];
-        green[i] = values[2 * i + 1];
-    }
+    const int channels = texture.desc().format == GL_RGBA32UI ? 4 : 1;
+    std::vector<std::uint32_t> words(std::size_t(width) * std::size_t(height) * std::size_t(channels));
+    texture.download(0, 0, channels == 4 ? GL_RGBA_INTEGER : GL_RED_INTEGER, GL_UNSIGNED_INT, words.size() * 4, words.data());
+    flipRows(words, width, height, channels);
+    return words;
 }
 
 void uploadPlane(gl::Texture& texture, std::span<const float> plane) {

@@ -20,8 +20,8 @@ Image readDepth(const gl::Texture& texture, int layer = 0);
 /// The stencil plane as floats.
 Image readStencil(const gl::Texture& texture);
 
-/// RG32UI as two arrays, row 0 at the top.
-void readIds(const gl::Texture& texture, std::vector<std::uint32_t>& red, std::vector<std::uint32_t>& green);
+/// R32UI or RGBA32UI: that many words a pixel, row 0 at the top.
+std::vector<std::uint32_t> readWords(const gl::Texture& texture);
 
 /// Uploads one plane (row 0 at the top) into a single-channel float texture of the same size.
 void uploadPlane(gl::Texture& texture, std::span<const float> plane);

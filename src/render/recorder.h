@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -30,6 +31,7 @@ struct FrameContext::Recorder {
     std::set<std::string> wanted;
     bool wantsAll = false;
     bool capturing = false;                       ///< this frame's intermediates are kept
+    std::optional<LightType> lightType;           ///< of the light whose shadow is being made
     std::string suffix;                           ///< "@lamp" while a light beyond the first is drawn
     std::map<std::string, ShownImage> shown;
     std::vector<std::string> warnings;            ///< each once

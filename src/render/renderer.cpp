@@ -58,6 +58,18 @@ struct Renderer::Impl {
 
 namespace {
 
+/// Whether the pipeline changes nothing, so that no pass need run for it.
+bool isNeutral(const Pipeline& pipeline) {
+    return pipeline.size() == 1 && pipeline[0].params.empty() && techniqueEntry(pipeline[0].id).traits.neutral;
+}
+
+/// What a pipeline that changes nothing leaves: visibility 1.
+Image allOpen(const GBuffer& gbuffer) {
+    Image image = Image::grey(gbuffer.layout.width, gbuffer.layout.height, "visibility");
+    std::fill(image.plane(0).begin(), image.plane(0).end(), 1.0f);
+    return image;
+}
+
 /// @throws Error(Usage) for a shader directory without a single shader: a wrong path would silently change nothing.
 const std::string& checkedShaderDir(const std::string& directory) {
     if (directory.empty()) return directory;
@@ -89,10 +101,10 @@ Renderer::Impl::~Impl() {
 }
 
 void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
-    if (!gbuffer || gbuffer->framebuffer.width() != settings.width ||
-        gbuffer->framebuffer.height() != settings.height ||
-        (gbuffer->depth.desc().format == GL_DEPTH32F_STENCIL8) != request.needsStencil) {
-        gbuffer = GeometryPass::makeGBuffer(settings.width, settings.height, request.needsStencil);
+    const GBufferLayout layout{settings.width, settings.height, request.needsStencil,
+                               request.needsMaterial || gpuScene->hasSpecular()};
+    if (!gbuffer || gbuffer->layout != layout) {
+        gbuffer = GeometryPass::makeGBuffer(layout);
         targets.trim();
         slots.invalidate();
     }
@@ -119,8 +131,9 @@ TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& f
 
 TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings,
                                                 const LightFrame& light) {
-    auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
     const auto given = settings.givenVisibility.find(light.index);
+    if (given == settings.givenVisibility.end() && isNeutral(settings.shadow)) return nullptr;
+    auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
     if (given != settings.givenVisibility.end()) {
         uploadPlane(*visibility, given->second.plane(0));
         return visibility;
@@ -133,16 +146,19 @@ TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const Rende
         target.clearColor(0, glm::vec4(1.0f));
     }
     composer.bindLight(light, gpuScene->flat().instances.size());
+    recorder.lightType = light.light->type;
     for (const auto& technique : slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame)) {
         if (technique->entry().family == Family::Shadow)
             static_cast<ShadowTechnique&>(*technique).render(frame, light, *visibility);
         else
             visibility = applyFilter(frame, *technique, visibility);
     }
+    recorder.lightType.reset();
     return visibility;
 }
 
 TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline& pipeline) {
+    if (isNeutral(pipeline)) return nullptr;
     auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "ao");
     bool first = true;
     for (const auto& technique : slots.get("ao", pipeline, frame)) {
@@ -176,11 +192,14 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
     }
     produced.ao = renderAo(frame, settings.ao);
 
-    produced.indirect = targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
-    for (const auto& technique : slots.get("indirect", settings.indirect, frame))
-        static_cast<IndirectTechnique&>(*technique).render(frame, *produced.indirect);
+    if (!isNeutral(settings.indirect)) {
+        produced.indirect = targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
+        for (const auto& technique : slots.get("indirect", settings.indirect, frame))
+            static_cast<IndirectTechnique&>(*technique).render(frame, *produced.indirect);
+    }
 
-    produced.color = composer.compose(frame, settings, lights, *produced.ao, *produced.indirect);
+    produced.color = composer.compose(frame, settings, lights, produced.ao, produced.indirect);
+    if (isNeutral(settings.aa)) return produced;
     for (const auto& technique : slots.get("aa", settings.aa, frame)) {
         auto output = targets.take(produced.color->desc(), "anti-aliased");
         static_cast<AaTechnique&>(*technique).render(frame, *produced.color, *output);
@@ -192,9 +211,9 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
 void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced) {
     result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
     for (const auto& [index, texture] : produced.visibility)
-        result.visibility[index] = readColor(*texture, {"visibility"}, ColorSpace::Data);
-    result.ao = readColor(*produced.ao, {"visibility"}, ColorSpace::Data);
-    readIds(gbuffer->ids, result.instance, result.triangle);
+        result.visibility[index] = texture ? readColor(*texture, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
+    result.ao = produced.ao ? readColor(*produced.ao, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
+    readIds(*gbuffer, gpuScene->flat(), result.instance, result.triangle);
 
     auto& shown = recorder.shown;
     const auto offer = [&](const std::string& name, auto&& make) {
@@ -211,9 +230,13 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
                 return ShownImage{shownImage, shownImage};
             });
     offer("ao", [&] { return ShownImage{*result.ao, *result.ao}; });
-    offer("indirect", [&] { return showTexture(*produced.indirect, ShowAs::Color); });
+    offer("indirect", [&] {
+        if (produced.indirect) return showTexture(*produced.indirect, ShowAs::Color);
+        const Image black = Image::rgb(gbuffer->layout.width, gbuffer->layout.height);
+        return ShownImage{black, black};
+    });
     for (const PassInfo& view : standardGBufferViews())
-        offer(view.name, [&] { return showGBuffer(view.name, *gbuffer, frame.view, gpuScene->origin()); });
+        offer(view.name, [&] { return showGBuffer(view.name, *gbuffer, frame.view, gpuScene->flat()); });
     for (auto& [name, image] : shown) {
         result.shown[name] = std::move(image.display);
         result.shownRaw[name] = std::move(image.raw);
@@ -240,6 +263,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     // Shaders of --shader-dir that changed; one that fails to compile keeps its old version and says so.
     for (const std::string& message : shaders->reload()) recorder.warnings.push_back(message);
     recorder.suffix.clear();
+    recorder.lightType.reset();
     recorder.blocks.clear();
     recorder.shown.clear();
     recorder.wanted = std::set<std::string>(settings.show.begin(), settings.show.end());

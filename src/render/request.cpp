@@ -71,7 +71,7 @@ void warnOfScene(const Scene& scene, const RenderSettings& settings, RenderReque
     for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
         for (const TechniqueSpec& spec : *pipeline) {
             const TechniqueEntry& entry = techniqueEntry(spec.id);
-            if (hasHoles && entry.family == Family::Shadow && entry.name != "none" && !entry.traits.domain.alphaTest)
+            if (hasHoles && entry.family == Family::Shadow && !entry.traits.neutral && !entry.traits.domain.alphaTest)
                 request.warnings.push_back(
                     fmt::format("{} does not see the holes of the scene's alpha-tested casters", spec.id));
         }
@@ -87,7 +87,7 @@ void checkLight(const Light& light, const RenderSettings& settings, RenderReques
                 ErrorCode::Usage,
                 fmt::format("{} does not support the {} light '{}'", entry.id(), lightTypeName(light.type), light.name),
                 "choose another light with --light or another technique");
-        if (light.hasSize() && !domain.soft && entry.name != "none")
+        if (light.hasSize() && !domain.soft && !entry.traits.neutral)
             request.warnings.push_back(
                 fmt::format("{} takes the sized light '{}' as a point at its centre", entry.id(), light.name));
     }
@@ -138,6 +138,10 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
     for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
         for (const TechniqueSpec& spec : *pipeline)
             request.needsStencil = request.needsStencil || techniqueEntry(spec.id).traits.needsStencil;
+
+    request.needsMaterial = settings.shading == Shading::Pbr ||
+                            std::any_of(settings.show.begin(), settings.show.end(),
+                                        [](const std::string& name) { return name == "material" || name == "all"; });
 
     // A light beyond the first shows its visibility and its intermediates as NAME@LIGHT.
     std::vector<std::string> names{"all"}, perLight{"visibility"};

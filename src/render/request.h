@@ -13,6 +13,7 @@ struct RenderRequest {
     int camera = 0;
     std::vector<int> lights;
     bool needsStencil = false;
+    bool needsMaterial = false;         ///< of the G-buffer
     std::vector<std::string> places;    ///< of TechniqueSlots
     std::vector<std::string> warnings;
 };

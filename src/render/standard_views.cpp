@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/gtc/packing.hpp>
+
 namespace ombrage {
 
 namespace {
@@ -22,24 +24,51 @@ Image viewDepth(const GBuffer& gbuffer, const CameraView& view) {
     return depth;
 }
 
+/// The inverse of ombrage/octahedral.glsl.
+glm::vec3 unitFromOctahedral(std::uint32_t word) {
+    const glm::vec2 o = glm::unpackSnorm2x16(word);
+    glm::vec3 n(o, 1 - std::abs(o.x) - std::abs(o.y));
+    const float t = std::max(-n.z, 0.0f);
+    n.x += n.x >= 0 ? -t : t;
+    n.y += n.y >= 0 ? -t : t;
+    return glm::normalize(n);
+}
+
 ShownImage normals(const GBuffer& gbuffer, bool shading) {
-    const Image packed = readColor(gbuffer.normals, {"x", "y", "z", "w"}, ColorSpace::Data);
-    ShownImage shown{Image(packed.width(), packed.height(), {"X", "Y", "Z"}), Image::rgb(packed.width(), packed.height(), ColorSpace::Data)};
-    const int first = shading ? 2 : 0;
-    for (std::size_t i = 0; i < packed.pixelCount(); ++i) {
-        // The inverse of ombrage/octahedral.glsl.
-        const float x = packed.plane(first)[i] * 2 - 1, y = packed.plane(first + 1)[i] * 2 - 1;
-        glm::vec3 n(x, y, 1 - std::abs(x) - std::abs(y));
-        const float t = std::max(-n.z, 0.0f);
-        n.x += n.x >= 0 ? -t : t;
-        n.y += n.y >= 0 ? -t : t;
-        n = glm::normalize(n);
+    const auto words = readWords(gbuffer.surface);
+    const int width = gbuffer.layout.width, height = gbuffer.layout.height;
+    ShownImage shown{Image(width, height, {"X", "Y", "Z"}), Image::rgb(width, height, ColorSpace::Data)};
+    for (std::size_t i = 0; i < shown.raw.pixelCount(); ++i) {
+        if (words[4 * i + 3] == kNoHit) continue;
+        const glm::vec3 n = unitFromOctahedral(words[4 * i + (shading ? 1 : 0)]);
         for (int c = 0; c < 3; ++c) {
             shown.raw.plane(c)[i] = n[c];
             shown.display.plane(c)[i] = n[c] * 0.5f + 0.5f;
         }
     }
     return shown;
+}
+
+ShownImage albedo(const GBuffer& gbuffer) {
+    const auto words = readWords(gbuffer.surface);
+    Image image = Image::rgb(gbuffer.layout.width, gbuffer.layout.height);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        // The inverse of ombrage/surface.glsl.
+        const std::uint32_t word = words[4 * i + 2];
+        const glm::vec3 root = glm::vec3(word & 2047u, (word >> 11) & 2047u, word >> 22) / glm::vec3(2047, 2047, 1023);
+        for (int c = 0; c < 3; ++c) image.plane(c)[i] = root[c] * root[c];
+    }
+    return {image, image};
+}
+
+ShownImage material(const GBuffer& gbuffer) {
+    const auto words = readWords(gbuffer.material);
+    Image image(gbuffer.layout.width, gbuffer.layout.height, {"R", "G", "B"}, ColorSpace::Data);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        const glm::vec4 values = glm::unpackUnorm4x8(words[i]);
+        for (int c = 0; c < 3; ++c) image.plane(c)[i] = values[c];
+    }
+    return {image, image};
 }
 
 ShownImage positions(const GBuffer& gbuffer, const CameraView& view, const glm::dvec3& origin) {
@@ -59,12 +88,9 @@ ShownImage positions(const GBuffer& gbuffer, const CameraView& view, const glm::
 }
 
 /// A colour per id, spread by a multiplicative hash.
-ShownImage ids(const GBuffer& gbuffer, bool triangles) {
-    std::vector<std::uint32_t> instance, triangle;
-    readIds(gbuffer.ids, instance, triangle);
-    const auto& values = triangles ? triangle : instance;
-    const int width = gbuffer.ids.width(), height = gbuffer.ids.height();
-    ShownImage shown{Image::grey(width, height, "id"), Image::rgb(width, height, ColorSpace::Data)};
+ShownImage ids(const GBuffer& gbuffer, const std::vector<std::uint32_t>& values) {
+    ShownImage shown{Image::grey(gbuffer.layout.width, gbuffer.layout.height, "id"),
+                     Image::rgb(gbuffer.layout.width, gbuffer.layout.height, ColorSpace::Data)};
     for (std::size_t i = 0; i < values.size(); ++i) {
         const bool sky = values[i] == kNoHit;
         shown.raw.plane(0)[i] = sky ? -1.0f : float(values[i]);
@@ -88,20 +114,30 @@ const std::vector<PassInfo>& standardGBufferViews() {
     return views;
 }
 
-ShownImage showGBuffer(const std::string& name, const GBuffer& gbuffer, const CameraView& view, const glm::dvec3& origin) {
+void readIds(const GBuffer& gbuffer, const FlatScene& flat, std::vector<std::uint32_t>& instance,
+             std::vector<std::uint32_t>& triangle) {
+    const auto words = readWords(gbuffer.surface);
+    triangle.resize(words.size() / 4);
+    instance.resize(triangle.size());
+    for (std::size_t i = 0; i < triangle.size(); ++i) {
+        triangle[i] = words[4 * i + 3];
+        instance[i] = triangle[i] == kNoHit ? kNoHit : flat.triangleInstance[triangle[i]];
+    }
+}
+
+ShownImage showGBuffer(const std::string& name, const GBuffer& gbuffer, const CameraView& view, const FlatScene& flat) {
     if (name == "depth") {
         const Image depth = viewDepth(gbuffer, view);
         return {depth, stretched(depth, kInfinity)};
     }
     if (name == "normal") return normals(gbuffer, true);
     if (name == "geometric-normal") return normals(gbuffer, false);
-    if (name == "position") return positions(gbuffer, view, origin);
-    if (name == "albedo") return showTexture(gbuffer.albedo, ShowAs::Color);
-    if (name == "material") {
-        const Image raw = readColor(gbuffer.material, {"R", "G", "B"}, ColorSpace::Data);
-        return {raw, raw};
-    }
-    return ids(gbuffer, name == "triangle");
+    if (name == "position") return positions(gbuffer, view, flat.origin);
+    if (name == "albedo") return albedo(gbuffer);
+    if (name == "material") return material(gbuffer);
+    std::vector<std::uint32_t> instance, triangle;
+    readIds(gbuffer, flat, instance, triangle);
+    return ids(gbuffer, name == "triangle" ? triangle : instance);
 }
 
 }  // namespace ombrage

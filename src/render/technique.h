@@ -30,8 +30,8 @@ public:
     virtual void* params() = 0;
     virtual const ParamTable& table() const = 0;
 
-    /// Called before the first frame and whenever the picture's size, the scene or a Define or Resize parameter
-    /// changed: drop what depends on them.
+    /// Called before the first frame and whenever the picture's size, the scene or a Define or Resize parameter changed:
+    /// drop what depends on them.
     virtual void prepare(FrameContext&) {}
 
     /// The row that made this object; set by createTechnique().
@@ -45,8 +45,8 @@ private:
     const TechniqueEntry* m_entry = nullptr;
 };
 
-/// Visibility of one light. `visibility` is R16F of the picture's size, cleared to 1; write [0,1], 1 = fully lit.
-/// Pixels of the sky, facing away from the light, or out of its range need no work: composing multiplies by n.l anyway.
+/// Visibility of one light. `visibility` is R16F of the picture's size, cleared to 1; write [0,1], 1 = fully lit. Pixels of
+/// the sky, facing away from the light, or out of its range need no work: composing multiplies by n.l anyway.
 class ShadowTechnique : public Technique {
 public:
     virtual void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) = 0;
@@ -105,16 +105,11 @@ struct NoParams {
     static ParamTable describe() { return {}; }
 };
 
-template <typename P = NoParams>
-using ShadowTechniqueOf = WithParams<ShadowTechnique, P>;
-template <typename P = NoParams>
-using AoTechniqueOf = WithParams<AoTechnique, P>;
-template <typename P = NoParams>
-using FilterTechniqueOf = WithParams<FilterTechnique, P>;
-template <typename P = NoParams>
-using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
-template <typename P = NoParams>
-using AaTechniqueOf = WithParams<AaTechnique, P>;
+template <typename P = NoParams> using ShadowTechniqueOf = WithParams<ShadowTechnique, P>;
+template <typename P = NoParams> using AoTechniqueOf = WithParams<AoTechnique, P>;
+template <typename P = NoParams> using FilterTechniqueOf = WithParams<FilterTechnique, P>;
+template <typename P = NoParams> using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
+template <typename P = NoParams> using AaTechniqueOf = WithParams<AaTechnique, P>;
 
 /// Makes the integral that a technique of ambient occlusion claims, for parameters that differ from the defaults.
 using IntegrandMaker = std::function<std::unique_ptr<AoIntegrand>(const TechniqueSpec&)>;
@@ -136,13 +131,13 @@ IntegrandMaker integrandOf(std::unique_ptr<AoIntegrand> (*make)(const P&)) {
 struct TechniqueTraits {
     std::string title;
     std::string summary;
-    std::vector<std::string> papers;  ///< keys of docs/references.bib
+    std::vector<std::string> papers;   ///< keys of docs/references.bib
     std::string limits;
     Domain domain;
-    std::vector<PassInfo> passes;  ///< every name that the technique exposes
-    bool needsStencil = false;     ///< the G-buffer's depth must carry a stencil plane
-    IntegrandMaker integrand =
-        {};  ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
+    std::vector<PassInfo> passes;      ///< every name that the technique exposes
+    bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
+    bool neutral = false;              ///< changes nothing (visibility 1, radiance 0, the input): rendering may leave it out
+    IntegrandMaker integrand = {};     ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
 };
 
 /// A row of the generated table.
@@ -174,12 +169,14 @@ std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec);
 #define OMBRAGE_FAMILY_filter ::ombrage::Family::Filter
 #define OMBRAGE_FAMILY_indirect ::ombrage::Family::Indirect
 #define OMBRAGE_FAMILY_aa ::ombrage::Family::Aa
-#define OMBRAGE_TECHNIQUE(familyId, nameId, Class, ...)                                                             \
-    const ::ombrage::TechniqueEntry& techniqueEntry_##familyId##_##nameId() {                                       \
-        static const ::ombrage::TechniqueEntry entry{                                                               \
-            OMBRAGE_FAMILY_##familyId, ::ombrage::techniqueNameFromIdentifier(#nameId),                             \
-            ::ombrage::TechniqueTraits __VA_ARGS__, &Class::staticTable, [] { return std::make_unique<Class>(); }}; \
-        return entry;                                                                                               \
+#define OMBRAGE_TECHNIQUE(familyId, nameId, Class, ...)                                                               \
+    const ::ombrage::TechniqueEntry& techniqueEntry_##familyId##_##nameId() {                                         \
+        static const ::ombrage::TechniqueEntry entry{OMBRAGE_FAMILY_##familyId,                                       \
+                                                     ::ombrage::techniqueNameFromIdentifier(#nameId),                 \
+                                                     ::ombrage::TechniqueTraits __VA_ARGS__,                          \
+                                                     &Class::staticTable,                                             \
+                                                     [] { return std::make_unique<Class>(); }};                       \
+        return entry;                                                                                                 \
     }
 
 }  // namespace ombrage

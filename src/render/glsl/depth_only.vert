@@ -11,7 +11,7 @@ flat out uint v_instance;
 #endif
 
 void main() {
-    vec3 p_world = positionWorld(a_instance, a_position);
+    vec3 p_world = positionWorld(a_position);
     gl_Position = clipFromPosition(u_clipFromWorld[0], vec4(p_world, 1.0));
 #ifdef ALPHA_MASK
     v_uv = a_uv;

@@ -33,6 +33,9 @@ vec3 positionWorldFromDepth(vec2 uv, float depth) {
     return (frame.worldFromView * vec4(positionViewFromDepth(uv, depth), 1.0)).xyz;
 }
 
+// World position from the ray that ombrage/fullscreen.vert hands over.
+vec3 positionOnRay(vec3 rayStart, vec3 rayAlong, float depth) { return rayStart + rayAlong * viewDepthFromDepth(depth); }
+
 // Unit vector from a point towards the eye.
 vec3 directionToEye(vec3 p_world) {
     return isOrthographic() ? -frame.forward.xyz : normalize(frame.eye.xyz - p_world);

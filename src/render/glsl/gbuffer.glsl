@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Reads the G-buffer in a full-screen pass or a compute shader. Pixels count from the lower left.
+// Reads the G-buffer in a full-screen pass or a compute shader. Pixels count from the lower left. What comes out for the
+// sky, where only depth and triangle are written, means nothing.
 #include "ombrage/bindings.glsl"
 #include "ombrage/octahedral.glsl"
+#include "ombrage/surface.glsl"
 
 layout(binding = UNIT_DEPTH) uniform sampler2D t_depth;
-layout(binding = UNIT_NORMALS) uniform sampler2D t_normals;
-layout(binding = UNIT_ALBEDO) uniform sampler2D t_albedo;
-layout(binding = UNIT_MATERIAL) uniform sampler2D t_material;
-layout(binding = UNIT_IDS) uniform usampler2D t_ids;
+layout(binding = UNIT_SURFACE) uniform usampler2D t_surface;
+layout(binding = UNIT_MATERIAL) uniform usampler2D t_material;
 
 // Reversed-Z depth; 0 is the sky.
 float gbufferDepth(ivec2 px) { return texelFetch(t_depth, px, 0).r; }
 
-// n_g: unit normal of the triangle, towards the eye.
-vec3 gbufferGeometricNormal(ivec2 px) { return unitFromOctahedral(texelFetch(t_normals, px, 0).xy * 2.0 - 1.0); }
+// A whole texel, for passes that want several of what follows.
+uvec4 gbufferSurface(ivec2 px) { return texelFetch(t_surface, px, 0); }
 
-// n_s: interpolated and perturbed normal, on the side of n_g before perturbation.
-vec3 gbufferShadingNormal(ivec2 px) { return unitFromOctahedral(texelFetch(t_normals, px, 0).zw * 2.0 - 1.0); }
+// n_g of a texel: unit normal of the triangle, towards the eye.
+vec3 geometricNormalOf(uvec4 surface) { return unitFromOctahedral(unpackSnorm2x16(surface.x)); }
 
-// Instance and global triangle.
-uvec2 gbufferIds(ivec2 px) { return texelFetch(t_ids, px, 0).rg; }
+// n_s of a texel: interpolated and perturbed normal, on the side of n_g before perturbation.
+vec3 shadingNormalOf(uvec4 surface) { return unitFromOctahedral(unpackSnorm2x16(surface.y)); }
+
+vec3 gbufferGeometricNormal(ivec2 px) { return geometricNormalOf(gbufferSurface(px)); }
+vec3 gbufferShadingNormal(ivec2 px) { return shadingNormalOf(gbufferSurface(px)); }
+
+// Global triangle, ~0 for the sky.
+uint gbufferTriangle(ivec2 px) { return gbufferSurface(px).w; }
+
+// Metallic, roughness, specular luminance, shininess / 255: only where lighting asked for it (MATERIAL_PLANE).
+vec4 gbufferMaterial(ivec2 px) { return unpackUnorm4x8(texelFetch(t_material, px, 0).r); }

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Instances and materials of the scene (render/gpu_scene.cpp packs them).
+// Instances, materials and triangles of the scene (render/gpu_scene.cpp packs them).
 #include "ombrage/bindings.glsl"
+
+#define INSTANCE_MIRRORED 1u
+#define INSTANCE_UNSHADOWED 2u   // receives no shadow
 
 struct InstanceData {
     mat4 worldFromLocal;
-    mat4 normalFromLocal;   // inverse transpose, upper 3x3
-    uint material;
+    uint baseColor;         // of its material, packed as in the G-buffer
+    uint surface;           // likewise
     uint firstTriangle;     // global id of the instance's first triangle
-    uint firstMeshTriangle; // of its mesh, into b_triangleNormals
-    uint flags;             // 1: mirrored, 2: receives no shadow
+    uint material;
+    uint flags;             // INSTANCE_...
+    uint index;             // its own
 };
 
 struct MaterialData {
@@ -21,3 +25,6 @@ struct MaterialData {
 
 layout(std430, binding = INSTANCE_STORAGE) readonly buffer Instances { InstanceData b_instances[]; };
 layout(std430, binding = MATERIAL_STORAGE) readonly buffer Materials { MaterialData b_materials[]; };
+
+// Per global triangle: x octahedral world normal (2 x 16 bits) of the counter-clockwise side, y instance.
+layout(std430, binding = TRIANGLE_STORAGE) readonly buffer Triangles { uvec2 b_triangles[]; };

@@ -7,6 +7,13 @@
 #define LIGHT_POINT 2
 #define LIGHT_RECT 3
 
+// With LIGHT_TYPE the bound light is of that type, and the compiler drops the others' work.
+#ifdef LIGHT_TYPE
+#define LIGHT_IS(type) (LIGHT_TYPE == (type))
+#else
+#define LIGHT_IS(type) (int(light.color.w) == (type))
+#endif
+
 layout(std140, binding = LIGHT_BINDING) uniform LightBlock {
     vec4 position;    // xyz of the centre; w 0 for a sun, else 1
     vec4 direction;   // xyz where light travels; w range in metres (huge when there is none)
@@ -26,7 +33,7 @@ bool lightExcludes(uint instance) {
 
 // Unit direction to the light's centre and the distance (huge for a sun).
 vec3 directionToLight(vec3 p_world, out float distance_m) {
-    if (light.position.w == 0.0) {
+    if (LIGHT_IS(LIGHT_SUN)) {
         distance_m = 1e30;
         return -light.direction.xyz;
     }
@@ -37,16 +44,15 @@ vec3 directionToLight(vec3 p_world, out float distance_m) {
 
 // Irradiance on a surface that faces the light squarely, all visibility left out. The light counts as its centre.
 vec3 irradianceFacing(vec3 l, float distance_m) {
-    if (distance_m > light.direction.w) return vec3(0.0);
-    int type = int(light.color.w);
+    if (!LIGHT_IS(LIGHT_SUN) && distance_m > light.direction.w) return vec3(0.0);
     float factor = 1.0;
-    if (type != LIGHT_SUN) factor /= distance_m * distance_m;
+    if (!LIGHT_IS(LIGHT_SUN)) factor /= distance_m * distance_m;
     float alongAxis = dot(-l, light.direction.xyz);
-    if (type == LIGHT_SPOT) {
+    if (LIGHT_IS(LIGHT_SPOT)) {
         // The squared ramp between the cosines of KHR_lights_punctual.
         float ramp = clamp((alongAxis - light.cone.y) / max(light.cone.x - light.cone.y, 1e-4), 0.0, 1.0);
         factor *= ramp * ramp;
     }
-    if (type == LIGHT_RECT) factor *= light.cone.w * max(alongAxis, 0.0);
+    if (LIGHT_IS(LIGHT_RECT)) factor *= light.cone.w * max(alongAxis, 0.0);
     return light.color.rgb * factor;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Composes one light, and with FIRST_LIGHT also the ambient and emitted light and the sky.
-// SHADING: 0 Phong, 1 Blinn-Phong, 2 metallic-roughness. AMBIENT: 0 constant, 1 times occlusion, 2 off.
+// Composes one light (LIGHT_TYPE; none without it) over the surfaces; the sky stays as it is.
+// FIRST_LIGHT's pass adds what no light owns: EMISSION of some material, AMBIENT light, dimmed by OCCLUSION, and INDIRECT light.
+// VISIBILITY: the light is shadowed. EXCEPTIONS: some instances exclude a light or receive no shadow.
+// MATERIAL_PLANE: the surfaces reflect more than diffusely, by SHADING: 0 Phong, 1 Blinn-Phong, 2 metallic-roughness.
 #include "ombrage/frame.glsl"
 #include "ombrage/gbuffer.glsl"
 #include "ombrage/instances.glsl"
@@ -11,10 +13,9 @@ layout(binding = 6) uniform sampler2D t_ao;
 layout(binding = 7) uniform sampler2D t_indirect;
 
 uniform float u_ambient;
-uniform int u_hasLight;       // 0: the scene has no light to add
-uniform int u_useVisibility;  // 0: unshadowed, for the naive ways of composing
 
-in vec2 v_uv;
+in vec3 v_rayStart;
+in vec3 v_rayAlong;
 layout(location = 0) out vec4 o_color;
 
 const float kPi = 3.14159265358979;
@@ -33,58 +34,67 @@ vec3 metallicRoughness(vec3 albedo, float metallic, float roughness, float nl, f
 
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
-    float depth = gbufferDepth(px);
-    if (depth == 0.0) {
-#ifdef FIRST_LIGHT
-        // The surroundings' own radiance, as in the truth's picture.
-        o_color = vec4(vec3(u_ambient), 1.0);
-        return;
-#else
-        discard;
-#endif
-    }
-    vec3 p_world = positionWorldFromDepth(v_uv, depth);
-    vec3 n_g = gbufferGeometricNormal(px);
-    vec3 n_s = gbufferShadingNormal(px);
-    vec3 albedo = texelFetch(t_albedo, px, 0).rgb;
-    vec4 surface = texelFetch(t_material, px, 0);
-
+    uvec4 surface = gbufferSurface(px);
+    vec3 albedo = unpackedAlbedo(surface.z);
     vec3 color = vec3(0.0);
-    uint instance = gbufferIds(px).x;
-#ifdef FIRST_LIGHT
-    color = b_materials[b_instances[instance].material].emissive.rgb;
-#if AMBIENT == 0
-    color += albedo * u_ambient;
-#elif AMBIENT == 1
-    color += albedo * u_ambient * texelFetch(t_ao, px, 0).r;
+#if defined(EMISSION) || defined(EXCEPTIONS)
+    uint instance = b_triangles[surface.w].y;
 #endif
+#ifdef EMISSION
+    color += b_materials[b_instances[instance].material].emissive.rgb;
+#endif
+#ifdef AMBIENT
+    float open = u_ambient;
+#ifdef OCCLUSION
+    open *= texelFetch(t_ao, px, 0).r;
+#endif
+    color += albedo * open;
+#endif
+#ifdef INDIRECT
     color += texelFetch(t_indirect, px, 0).rgb;
 #endif
 
+#ifdef LIGHT_TYPE
+    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepth(px));
     float distance_m;
     vec3 l = directionToLight(p_world, distance_m);
+    vec3 n_s = shadingNormalOf(surface);
     float nl = dot(n_s, l);
     // The geometric horizon shadows whatever the shading normal says, in the truth and here alike.
-    if (u_hasLight != 0 && nl > 0.0 && dot(n_g, l) > 0.0 && !lightExcludes(instance)) {
-        bool receives = (b_instances[instance].flags & 2u) == 0u;
-        float seen = u_useVisibility != 0 && receives ? texelFetch(t_visibility, px, 0).r : 1.0;
-        vec3 irradiance = irradianceFacing(l, distance_m) * nl * seen;
+    bool lit = nl > 0.0 && dot(vectorFromOctahedral(unpackSnorm2x16(surface.x)), l) > 0.0;
+    float seen = 1.0;
+#ifdef VISIBILITY
+    seen = texelFetch(t_visibility, px, 0).r;
+#endif
+#ifdef EXCEPTIONS
+    if (lightExcludes(instance)) lit = false;
+    if ((b_instances[instance].flags & INSTANCE_UNSHADOWED) != 0u) seen = 1.0;
+#endif
+    if (lit) {
+        vec3 irradiance = irradianceFacing(l, distance_m) * (nl * seen);
+        vec3 diffuse = albedo / kPi;
+#ifdef MATERIAL_PLANE
+        vec4 material = gbufferMaterial(px);
         vec3 v = directionToEye(p_world);
         vec3 h = normalize(l + v);
-        float shininess = surface.w * 255.0;
+        float shininess = material.w * 255.0;
 #if SHADING == 0
         // Phong 1975, normalised so that the lobe's energy does not grow with the exponent.
         float lobe = pow(max(dot(reflect(-l, n_s), v), 0.0), shininess) * (shininess + 2.0) / (2.0 * kPi);
-        color += irradiance * (albedo / kPi + surface.z * lobe);
+        color += irradiance * (diffuse + material.z * lobe);
 #elif SHADING == 1
         // Blinn 1977 with 4 times Phong's exponent, normalised likewise.
         float exponent = 4.0 * shininess;
         float lobe = pow(max(dot(n_s, h), 0.0), exponent) * (exponent + 8.0) / (8.0 * kPi);
-        color += irradiance * (albedo / kPi + surface.z * lobe);
+        color += irradiance * (diffuse + material.z * lobe);
 #else
-        color += irradiance * metallicRoughness(albedo, surface.x, surface.y, nl, max(dot(n_s, v), 1e-4), max(dot(n_s, h), 0.0),
+        color += irradiance * metallicRoughness(albedo, material.x, material.y, nl, max(dot(n_s, v), 1e-4), max(dot(n_s, h), 0.0),
                                                 max(dot(v, h), 0.0));
 #endif
+#else
+        color += irradiance * diffuse;
+#endif
     }
+#endif
     o_color = vec4(color, 1.0);
 }

@@ -11,7 +11,7 @@ flat out uint g_instance;
 #endif
 
 void main() {
-    g_position = positionWorld(a_instance, a_position);
+    g_position = positionWorld(a_position);
     gl_Position = vec4(g_position, 1.0);
 #ifdef ALPHA_MASK
     g_uv = a_uv;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <tbb/parallel_for.h>
 
@@ -12,8 +11,6 @@
 namespace ombrage {
 
 namespace {
-
-constexpr GLuint kPositionStorage = 3;
 
 /// w of the far ends under an orthographic camera: 1e5 times the distance to the light, beyond any scene, and a ray
 /// bends by 1e-5 of its length.
@@ -24,6 +21,16 @@ bool contains(const glm::vec3& lower, const glm::vec3& upper, const glm::vec3& p
 }
 
 }  // namespace
+
+VolumeVertices::VolumeVertices(const GpuScene& scene) {
+    std::vector<glm::vec4> ends;
+    for (const Mesh& mesh : scene.scene().meshes)
+        for (const glm::vec3& p : mesh.positions) {
+            ends.emplace_back(p, 1.0f);
+            ends.emplace_back(p, 0.0f);
+        }
+    buffer = gl::Buffer::from(ends, "shadow volume vertices");
+}
 
 SceneTopology::SceneTopology(const GpuScene& scene) {
     for (const Mesh& mesh : scene.scene().meshes) m_meshes.emplace_back(mesh);
@@ -118,18 +125,13 @@ void ShadowVolumes::upload(FrameContext& frame, const VolumeTriangles& triangles
     m_outward.commandBuffer = gl::Buffer::from(m_outward.commands, "shadow volume commands");
     m_inward.commandBuffer = gl::Buffer::from(m_inward.commands, "shadow volume cap commands");
 
-    std::vector<std::uint32_t> ids(frame.gpuScene->flat().instances.size());
-    std::iota(ids.begin(), ids.end(), 0u);
-    m_instanceIds = gl::Buffer::from(ids, "shadow volume instance ids");
-    m_vertices = gl::VertexArray({{0, m_instanceIds.id(), 0, sizeof(std::uint32_t), 1}},
-                                 {{4, 1, GL_UNSIGNED_INT, 0, 0}}, m_indices.id());
+    const gl::Buffer& ends = frame.gpuScene->derived<VolumeVertices>().buffer;
+    m_vertices = frame.gpuScene->vertexArray({{0, ends.id(), 0, sizeof(glm::vec4), 0}}, {{0, 4, GL_FLOAT, 0, 0}}, m_indices);
 }
 
 void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, const gl::Program& program, bool outward) const {
     const Part& part = outward ? m_outward : m_inward;
     if (part.commands.empty()) return;
-    frame.gpuScene->bindStorage();
-    frame.gpuScene->vertices().bindStorage(kPositionStorage);
     program.set("u_toward", light.toward());
     program.set("u_infinity", frame.view.orthographic ? kOrthographicInfinity : 0.0f);
     gl::drawElementsIndirect(m_vertices, part.commandBuffer, 0, part.commands.size());
@@ -137,7 +139,7 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, const gl:
 }
 
 std::uint64_t ShadowVolumes::gpuBytes() const {
-    return m_indices.size() + m_instanceIds.size() + m_outward.commandBuffer.size() + m_inward.commandBuffer.size();
+    return m_indices.size() + m_outward.commandBuffer.size() + m_inward.commandBuffer.size();
 }
 
 }  // namespace ombrage

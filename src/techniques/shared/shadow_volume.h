@@ -30,6 +30,13 @@ private:
     std::vector<glm::vec3> m_lower, m_upper;
 };
 
+/// Both ends of every vertex, the corner itself (w 1) and the same to be sent to infinity (w 0), one after the other, so that
+/// the codes of VolumeTriangles are indices. Shared through GpuScene::derived().
+struct VolumeVertices {
+    explicit VolumeVertices(const GpuScene& scene);
+    gl::Buffer buffer;   ///< vec4, local
+};
+
 struct ShadowVolumeOptions {
     bool perTriangle = false;  ///< a volume per casting triangle instead of one per silhouette
     bool caps = true;          ///< as depth-fail counting needs
@@ -75,7 +82,7 @@ private:
     std::optional<Key> m_key;
     std::size_t m_edges = 0;
     Part m_outward, m_inward;
-    gl::Buffer m_indices, m_instanceIds;
+    gl::Buffer m_indices;
     gl::VertexArray m_vertices;
 };
 

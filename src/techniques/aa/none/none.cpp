@@ -13,6 +13,6 @@ public:
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(aa, none, NoAntiAliasing, {.title = "No anti-aliasing", .summary = "The picture unchanged: the baseline of cost.", .limits = "Leaves every staircase edge."})
+OMBRAGE_TECHNIQUE(aa, none, NoAntiAliasing, {.title = "No anti-aliasing", .summary = "The picture unchanged: the baseline of cost.", .limits = "Leaves every staircase edge.", .neutral = true})
 
 }  // namespace ombrage

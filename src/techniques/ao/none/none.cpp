@@ -21,6 +21,6 @@ public:
 OMBRAGE_TECHNIQUE(ao, none, NoOcclusion,
                   {.title = "No occlusion",
                    .summary = "Visibility of the surroundings is 1 everywhere: the baseline of cost.",
-                   .limits = "Darkens nothing."})
+                   .limits = "Darkens nothing.", .neutral = true})
 
 }  // namespace ombrage

@@ -13,6 +13,6 @@ public:
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(filter, none, NoFilter, {.title = "No filter", .summary = "The image unchanged: the baseline of cost.", .limits = "Cleans nothing."})
+OMBRAGE_TECHNIQUE(filter, none, NoFilter, {.title = "No filter", .summary = "The image unchanged: the baseline of cost.", .limits = "Cleans nothing.", .neutral = true})
 
 }  // namespace ombrage

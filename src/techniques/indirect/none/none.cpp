@@ -21,6 +21,6 @@ public:
 OMBRAGE_TECHNIQUE(indirect, none, NoIndirect,
                   {.title = "No indirect light",
                    .summary = "No light bounces: the baseline of cost.",
-                   .limits = "Leaves shadows as dark as the ambient term makes them."})
+                   .limits = "Leaves shadows as dark as the ambient term makes them.", .neutral = true})
 
 }  // namespace ombrage

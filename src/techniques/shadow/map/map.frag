@@ -8,7 +8,8 @@
 
 layout(binding = 5) uniform sampler2DArrayShadow t_map;
 
-in vec2 v_uv;
+in vec3 v_rayStart;
+in vec3 v_rayAlong;
 layout(location = 0) out float o_visibility;
 
 void main() {
@@ -16,7 +17,7 @@ void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
     float depth = gbufferDepth(px);
     if (depth == 0.0) discard;
-    vec3 p_world = positionWorldFromDepth(v_uv, depth);
+    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, depth);
     vec3 n_world = gbufferGeometricNormal(px);
     float lightDistance_m;
     vec3 l = directionToLight(p_world, lightDistance_m);

@@ -17,6 +17,6 @@ OMBRAGE_TECHNIQUE(shadow, none, NoShadow,
                   {.title = "No shadow",
                    .summary = "Visibility is 1 everywhere: the baseline of cost.",
                    .limits = "Casts no shadow.",
-                   .domain = {.soft = true}})
+                   .domain = {.soft = true}, .neutral = true})
 
 }  // namespace ombrage

@@ -56,7 +56,7 @@ bool isAsked(RayOrigin o, LightSample centre) {
 
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
-    uint triangle = gbufferIds(px).y;
+    uint triangle = gbufferTriangle(px);
     bool asked = false;
     o_visibility = 1.0;
     // Branches instead of an early discard: discarded pixels may run on, as llvmpipe's do.
