@@ -67,7 +67,9 @@ Command compareCommand() {
                 options.add("-o,--output", "DIR: records.jsonl, images and report.html go here");
                 options.add("--spp",
                             "N: samples per pixel of the truth (1 for hard lights, 1024 for soft ones, 256 for ao)");
-                options.add("--truth", "kind of truth: shadow for shadows, T1 for ao");
+                options.add("--truth",
+                            "shadow, self or area for shadows; T1 to T5, T5-ball, own or area for ao (T1 and own "
+                            "by default); area for aa");
                 options.add("--fail-on", "\"[ID.]METRIC>NUMBER\" (or >=, <, <=): exit 1 when it holds; may be repeated",
                             Take::Many);
                 addSceneOptions(options);

@@ -3,8 +3,10 @@
 #include <ombrage/error.h>
 #include <ombrage/image.h>
 #include <ombrage/reference.h>
+#include <ombrage/technique.h>
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
@@ -27,20 +29,38 @@ Image truthImage(const Truth& truth, bool allPlanes) {
     return image;
 }
 
+/// The kind asked for, when it fits the quantity, and the technique that it is about.
+std::optional<TruthKind> truthKind(const Options& options, Quantity quantity) {
+    std::optional<TruthKind> kind;
+    if (options.has("truth")) kind = truthKindFromName(options.text("truth"), quantity);
+    const bool isOwn = kind == TruthKind::Own;
+    if (isOwn && !options.has("technique"))
+        throw Error(ErrorCode::Usage, "the truth 'own' needs a technique that claims it",
+                    "name it with --technique " + exampleId(Family::Ao));
+    if (!isOwn && options.has("technique"))
+        throw Error(ErrorCode::Usage, "--technique goes with --truth own only: no other truth knows techniques");
+    return kind;
+}
+
+std::unique_ptr<AoIntegrand> claimOf(const std::string& technique) {
+    std::unique_ptr<AoIntegrand> claim = ownIntegrand(parsePipeline(Family::Ao, technique));
+    if (!claim)
+        throw Error(ErrorCode::Usage, technique + " claims no integral that the truth 'own' could trace",
+                    "only techniques of ambient occlusion claim one; " + exampleId(Family::Ao) + " does");
+    return claim;
+}
+
 int runReference(const Options& options) {
     const std::string sceneName = requiredText(options, "scene", "scene to trace");
     const std::string file = requiredText(options, "output", "picture to write (-o ref.exr)");
-    const std::vector<std::string> quantities{"shadow", "ao", "picture"};
-    requiredText(options, "quantity", "quantity to trace (--quantity shadow, ao or picture)");
-    const std::string quantity = quantities[options.choice("quantity", quantities, 0)];
-    // The kinds of truth that exist so far.
-    if (options.has("truth")) {
-        const std::string kind = quantity == "shadow" ? "shadow" : quantity == "ao" ? "T1" : "";
-        if (kind.empty()) throw Error(ErrorCode::Usage, "--truth does not go with --quantity picture");
-        options.choice("truth", {kind}, 0);
-    }
+    const Quantity quantity = quantityFromName(
+        requiredText(options, "quantity", "quantity to trace (--quantity shadow, ao, indirect or picture)"));
     const RenderSettings frame = frameSettings(options);
     ReferenceOptions reference;
+    reference.kind = truthKind(options, quantity);
+    const std::unique_ptr<AoIntegrand> claim =
+        reference.kind == TruthKind::Own ? claimOf(options.text("technique")) : nullptr;
+    reference.integrand = claim.get();
     reference.width = frame.width;
     reference.height = frame.height;
     reference.seed = frame.seed;
@@ -52,29 +72,48 @@ int runReference(const Options& options) {
     const Camera& camera = scene.cameras[std::size_t(scene.cameraIndex(frame.camera))];
     const int light = scene.lightIndex(frame.light);
     Progress progress;
-    reference.progress = [&](double share) { return progress(scene.name + ": tracing " + quantity, share); };
+    reference.progress = [&](double share) {
+        return progress(scene.name + ": tracing " + quantityName(quantity), share);
+    };
     const Reference truth(scene);
-    const Receivers receivers = truth.receivers(camera, reference);
 
     std::string extension = std::filesystem::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-    nlohmann::ordered_json json{{"schema", "ombrage/reference/1"},     {"output", file},        {"scene", scene.name},
-                                {"scene_hash", contentHash(scene)},    {"camera", camera.name}, {"quantity", quantity},
-                                {"size", {frame.width, frame.height}}, {"seed", frame.seed}};
+    nlohmann::ordered_json json{
+        {"schema", "ombrage/reference/1"},     {"output", file},        {"scene", scene.name},
+        {"scene_hash", contentHash(scene)},    {"camera", camera.name}, {"quantity", quantityName(quantity)},
+        {"size", {frame.width, frame.height}}, {"seed", frame.seed}};
+    if (reference.kind || !truthKindsOf(quantity).empty())
+        json["truth"] = quantity == Quantity::Picture && !reference.kind
+                            ? nlohmann::ordered_json(nullptr)
+                            : nlohmann::ordered_json(truthKindName(reference.kind.value_or(truthKindsOf(quantity)[0])));
+    if (claim) json["technique"] = toString(parsePipeline(Family::Ao, options.text("technique")));
     const auto keep = [&](const auto& result) {
         writeImage(file, truthImage(result, extension == ".exr"));
         json["spp"] = result.samplesPerPixel;
         json["standard_error"] = result.meanStandardError;
         json["masked"] = result.maskedShare;
     };
-    if (quantity == "shadow") {
-        json["light"] = scene.lights[std::size_t(light)].name;
-        keep(truth.shadow(receivers, camera, light, reference));
-    } else if (quantity == "ao") {
-        keep(truth.ao(receivers, camera, reference));
-    } else {
-        writeImage(file, truth.picture(receivers, camera, reference));
+    const bool isArea = reference.kind == TruthKind::Area;
+    // The receivers of a mean over the pixel are made point by point.
+    const Receivers receivers = isArea ? Receivers{} : truth.receivers(camera, reference);
+    switch (quantity) {
+        case Quantity::Shadow:
+            json["light"] = scene.lights[std::size_t(light)].name;
+            keep(isArea ? truth.areaShadow(camera, light, reference)
+                        : truth.shadow(receivers, camera, light, reference));
+            break;
+        case Quantity::Ao:
+            keep(isArea ? truth.areaAo(camera, reference) : truth.ao(receivers, camera, reference));
+            break;
+        case Quantity::Indirect:
+            writeImage(file, truth.indirect(receivers, camera, reference));
+            break;
+        case Quantity::Picture:
+            writeImage(file,
+                       isArea ? truth.areaPicture(camera, reference) : truth.picture(receivers, camera, reference));
+            break;
     }
     if (options.flag("json"))
         printResult(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -91,13 +130,17 @@ Command referenceCommand() {
     return {"reference",
             "Traces the truth of a scene on the CPU; needs no OpenGL",
             {"gap -o ref.exr --quantity shadow", "cornell -o ao.png --quantity ao --spp 256",
-             "sphere -o look.png --quantity picture"},
+             "cornell -o own.exr --quantity ao --truth own --technique " + exampleId(Family::Ao),
+             "sphere -o look.png --quantity picture --truth area"},
             [](Options& options) {
                 options.add("scene", "a built-in scene, a scene file (.json) or a model file");
                 options.add("-o,--output", "FILE.exr (visibility, standard_error, mask) or .png (visibility)");
-                options.add("--quantity", "shadow (of --light, or the first light), ao or picture");
+                options.add("--quantity", "shadow (of --light, or the first light), ao, indirect or picture");
                 options.add("--spp", "N: samples per pixel (1 for hard lights, 1024 for soft ones, 256 for ao)");
-                options.add("--truth", "kind of truth: shadow for shadows, T1 for ao");
+                options.add("--truth",
+                            "shadow, self or area for shadows; T1 to T5, T5-ball, own or area for ao; area for "
+                            "picture");
+                options.add("--technique", "ID[:key=value,...]: whose integral --truth own traces");
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);
             },

@@ -20,6 +20,7 @@ std::string recordLines(const CompareResult& result) {
                 values += json["metrics"][key].is_null()
                               ? fmt::format("{} –  ", key)
                               : fmt::format("{} {:.5f}  ", key, json["metrics"][key].get<double>());
+        if (json["truth"].is_object()) where += " (" + json["truth"]["kind"].get<std::string>() + ")";
         rows.emplace_back(where + "  " + json["pipeline"].get<std::string>(),
                           values + fmt::format("{:.2f} ms", json["gpu_ms"]["median"].get<double>()));
         width = std::max(width, rows.back().first.size());

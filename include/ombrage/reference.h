@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <ombrage/ao_integrand.h>
 #include <ombrage/image.h>
 #include <ombrage/scene.h>
+#include <ombrage/truth_kind.h>
 
 namespace ombrage {
 
@@ -21,17 +24,24 @@ using Progress = std::function<bool(double)>;
 struct ReferenceOptions {
     int width = 640;
     int height = 360;
-    int samplesPerPixel = 0;   ///< per receiver; 0: 1 for hard lights, 1024 for soft ones, 256 for ao. Rounded up to
-                               ///< a multiple of kScramblings.
+    int samplesPerPixel = 0;  ///< per receiver; 0: 1 for hard lights, 1024 for soft ones, 256 for ao. Rounded up to
+                              ///< a multiple of kScramblings.
     std::uint64_t seed = 1;
-    int threads = 0;           ///< 0: all
+    int threads = 0;                         ///< 0: all
+    std::optional<TruthKind> kind;           ///< nothing: the quantity's first
+    const AoIntegrand* integrand = nullptr;  ///< of TruthKind::Own; must outlive the call
+    glm::dvec2 pixelPoint{0.5, 0.5};         ///< where in its pixel a receiver lies, (0,0) the top left corner
     Progress progress;
 };
 
 /// Independent scramblings of the Sobol points, from which standard errors come.
 inline constexpr int kScramblings = 8;
 
-/// Receiver of one pixel: the primary hit through the pixel centre.
+/// TruthKind::Area looks at the centres of kAreaGrid x kAreaGrid equal parts of each pixel: those of the pixels of a
+/// picture that is so many times wider and higher.
+inline constexpr int kAreaGrid = 4;
+
+/// Receiver of one pixel: the primary hit through the pixel centre (or ReferenceOptions::pixelPoint).
 struct Receivers {
     int width = 0, height = 0;
     std::vector<std::uint32_t> instance;   ///< index into Scene::instances, kNoHit for sky
@@ -52,21 +62,21 @@ enum class Mask : std::uint8_t { Valid = 0, Sky = 1, BelowHorizon = 2, NotReceiv
 struct ShadowTruth {
     int width = 0, height = 0;
     int samplesPerPixel = 0;
-    bool soft = false;                      ///< the light has a size
-    std::vector<float> visibility;          ///< v*: share of the light seen
-    std::vector<float> standardError;       ///< of v*, from the scramblings; 0 for hard lights
-    std::vector<float> irradianceShare;     ///< the irradiance-weighted share
-    std::vector<float> irradiance;          ///< unshadowed irradiance (luminance), the weight of wrong_lit
-    std::vector<float> cosine;              ///< n_g . l to the light's centre
-    std::vector<float> blockerDistance_m;   ///< nearest blocker along the ray to the light's centre, +inf when none
-    std::vector<float> lightDistance_m;     ///< to the light's centre; +inf for suns
+    bool soft = false;                     ///< the light has a size
+    std::vector<float> visibility;         ///< v*: share of the light seen
+    std::vector<float> standardError;      ///< of v*, from the scramblings; 0 for hard lights
+    std::vector<float> irradianceShare;    ///< the irradiance-weighted share
+    std::vector<float> irradiance;         ///< unshadowed irradiance (luminance), the weight of wrong_lit
+    std::vector<float> cosine;             ///< n_g . l to the light's centre
+    std::vector<float> blockerDistance_m;  ///< nearest blocker along the ray to the light's centre, +inf when none
+    std::vector<float> lightDistance_m;    ///< to the light's centre; +inf for suns
     std::vector<std::uint32_t> blockerInstance;  ///< of that blocker, kNoHit when none
     std::vector<Mask> mask;
-    double meanStandardError = 0;           ///< over valid pixels
-    double maskedShare = 0;                 ///< of all pixels that are not sky
+    double meanStandardError = 0;  ///< over valid pixels
+    double maskedShare = 0;        ///< of all pixels that are not sky
 };
 
-/// Truth of ambient visibility (T1: cosine-weighted about the shading normal, occluders nearer than the scene's radius).
+/// Truth of ambient visibility, of the kind asked for; `radius_m` is the scene's (+inf for T4).
 struct AoTruth {
     int width = 0, height = 0;
     int samplesPerPixel = 0;
@@ -88,17 +98,43 @@ public:
     Reference& operator=(const Reference&) = delete;
 
     Receivers receivers(const Camera& camera, const ReferenceOptions& options) const;
-    ShadowTruth shadow(const Receivers& receivers, const Camera& camera, int light, const ReferenceOptions& options) const;
+
+    /// @throws Error(Usage) for a kind that is not a kind of shadows, and for Area, which needs receivers of its own.
+    ShadowTruth shadow(const Receivers& receivers, const Camera& camera, int light,
+                       const ReferenceOptions& options) const;
+
+    /// @throws Error(Usage) for a kind that is not a kind of ambient occlusion, for Area, and for Own without
+    /// integrand.
     AoTruth ao(const Receivers& receivers, const Camera& camera, const ReferenceOptions& options) const;
+
+    /// Called with the number of a point of the pixel (row by row of the grid) and what is seen there.
+    using AreaShadowPart = std::function<void(int part, const ShadowTruth& truth)>;
+    using AreaAoPart = std::function<void(int part, const AoTruth& truth)>;
+
+    /// TruthKind::Area: visibility, irradianceShare and standardError are means over the points that are Valid, and a
+    /// pixel is Valid where at least half of its points are. All else is that of the pixel's centre. Each point takes
+    /// its share of options.samplesPerPixel.
+    ShadowTruth areaShadow(const Camera& camera, int light, const ReferenceOptions& options,
+                           const AreaShadowPart& part = {}) const;
+    AoTruth areaAo(const Camera& camera, const ReferenceOptions& options, const AreaAoPart& part = {}) const;
+    Image areaPicture(const Camera& camera, const ReferenceOptions& options) const;
 
     /// Direct light of all lights with the truth's visibility plus ambient times AO: linear RGB, Lambert surfaces with
     /// their textures, for looking at.
     Image picture(const Receivers& receivers, const Camera& camera, const ReferenceOptions& options) const;
 
-    /// T1 (or, with an infinite radius, T4) at one free point, for closed-form tests: mean and standard error.
-    struct Estimate { double mean = 0, standardError = 0; };
-    Estimate aoAt(const glm::dvec3& point, const glm::dvec3& normal, double radius_m, int samples, std::uint64_t seed) const;
-    Estimate shadowAt(const glm::dvec3& point, const glm::dvec3& normal, int light, int samples, std::uint64_t seed) const;
+    /// One diffuse bounce: linear RGB radiance that leaves Lambert surfaces with their textures after light went from
+    /// the lights (their centres) to another surface and from there to this one. 256 samples where none are asked for.
+    Image indirect(const Receivers& receivers, const Camera& camera, const ReferenceOptions& options) const;
+
+    /// T1 to T5 (T1 with an infinite radius is T4) at one free point, for closed-form tests: mean and standard error.
+    struct Estimate {
+        double mean = 0, standardError = 0;
+    };
+    Estimate aoAt(const glm::dvec3& point, const glm::dvec3& normal, double radius_m, int samples, std::uint64_t seed,
+                  TruthKind kind = TruthKind::T1) const;
+    Estimate shadowAt(const glm::dvec3& point, const glm::dvec3& normal, int light, int samples,
+                      std::uint64_t seed) const;
 
 private:
     struct Impl;

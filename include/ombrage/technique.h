@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <ombrage/ao_integrand.h>
 #include <ombrage/params.h>
 #include <ombrage/scene.h>
 
@@ -21,10 +23,10 @@ Family familyFromName(const std::string& name);
 /// Where a technique claims to be right. Outside its domain it is measured and shown, but no budget applies.
 struct Domain {
     bool sun = true, spot = true, point = true, rect = true;  ///< light types that it renders at all
-    bool soft = false;             ///< shows the light's real size; a hard one takes the light's centre
+    bool soft = false;  ///< shows the light's real size; a hard one takes the light's centre
     bool closedCastersOnly = false;
     bool planarReceiversOnly = false;
-    bool alphaTest = true;         ///< sees the holes of alpha-tested casters
+    bool alphaTest = true;  ///< sees the holes of alpha-tested casters
 };
 
 /// An intermediate picture that `render --show NAME` can write.
@@ -35,13 +37,13 @@ struct PassInfo {
 
 /// What is known of a technique without running it.
 struct TechniqueInfo {
-    std::string id;       ///< "shadow/map"
+    std::string id;  ///< "shadow/map"
     Family family = Family::Shadow;
-    std::string name;     ///< "map"
+    std::string name;  ///< "map"
     std::string title;
     std::string summary;  ///< one sentence
     std::vector<std::string> papers;
-    std::string limits;   ///< one sentence: where it fails
+    std::string limits;  ///< one sentence: where it fails
     Domain domain;
     std::vector<PassInfo> passes;
     std::vector<ParamInfo> params;
@@ -74,5 +76,9 @@ std::string toString(const Pipeline& pipeline);
 
 /// Every parameter of the technique with its value under `spec`, in declaration order, checked.
 std::vector<std::pair<std::string, ParamValue>> resolveParams(const TechniqueSpec& spec);
+
+/// The integral that the pipeline's first technique claims to compute, under its parameters: the question of the truth
+/// `own`. Null when it claims none. Needs no OpenGL. @throws Error(Usage) as parsePipeline.
+std::unique_ptr<AoIntegrand> ownIntegrand(const Pipeline& pipeline);
 
 }  // namespace ombrage

@@ -37,17 +37,6 @@ private:
     std::mutex m_mutex;
 };
 
-/// The only truth that a family has so far. @throws Error(Usage) when another kind is asked for.
-void checkTruthKind(const std::string& kind, const std::vector<ScenePlan>& plans) {
-    if (kind.empty()) return;
-    if (kind != "shadow" && kind != "T1") throw unknownName("truth", kind, {"shadow", "T1"});
-    for (const ScenePlan& plan : plans)
-        for (const PlannedRun& run : plan.runs)
-            if ((run.family == Family::Shadow) != (kind == "shadow"))
-                throw Error(ErrorCode::Usage, "the truth '" + kind + "' does not fit " + techniqueText(run.pipeline),
-                            "shadows are held against 'shadow', ambient occlusion against 'T1'");
-}
-
 /// A gate on a technique that is not run would never speak.
 void checkGate(const Gate& gate, const std::vector<ScenePlan>& plans) {
     if (gate.technique.empty()) return;
@@ -89,6 +78,7 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         throw Error(ErrorCode::Usage, "no technique to compare", "use --technique ID or --all FAMILY");
 
     // Everything that can be wrong with the request is found before the first ray.
+    if (!request.truthKind.empty()) truthKindFromName(request.truthKind);
     std::vector<Scene> scenes;
     std::vector<ScenePlan> plans;
     CompareResult result;
@@ -101,7 +91,6 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         result.skipped.insert(result.skipped.end(), plans.back().skipped.begin(), plans.back().skipped.end());
         for (const std::string& warning : plans.back().warnings) warn(warning);
     }
-    checkTruthKind(request.truthKind, plans);
     for (const Gate& gate : request.failOn) checkGate(gate, plans);
     makeFolder(request.outputDir);
 
@@ -116,14 +105,15 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
             if (plans[i].runs.empty()) continue;
             SceneRunner runner(scenes[i], request, renderer, [&](const std::string& what) { return steps.tell(what); });
             for (const PlannedRun& planned : plans[i].runs) {
-                RunRecord record = runner.run(planned);
-                for (const std::string& warning : plans[i].warnings)
-                    if (warning.find(planned.pipeline.front().id) != std::string::npos)
-                        record.warnings.push_back(warning);
-                result.records.push_back(record.toJson());
-                appendLine(request.outputDir / kRecordsFile, result.records.back());
-                for (const Gate& gate : request.failOn)
-                    if (const auto sentence = metGate(gate, record)) result.failedGates.push_back(*sentence);
+                for (RunRecord& record : runner.run(planned)) {
+                    for (const std::string& warning : plans[i].warnings)
+                        if (warning.find(planned.pipeline.front().id) != std::string::npos)
+                            record.warnings.push_back(warning);
+                    result.records.push_back(record.toJson());
+                    appendLine(request.outputDir / kRecordsFile, result.records.back());
+                    for (const Gate& gate : request.failOn)
+                        if (const auto sentence = metGate(gate, record)) result.failedGates.push_back(*sentence);
+                }
                 steps.finish();
             }
         }

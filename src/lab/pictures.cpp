@@ -51,6 +51,25 @@ Image displayed(const Image& linear) {
     return image;
 }
 
+Image averagedOverPixels(const Image& fine, int grid) {
+    Image image = Image::rgb(fine.width() / grid, fine.height() / grid);
+    const float share = 1.0f / float(grid * grid);
+    for (int c = 0; c < 3; ++c)
+        for (int y = 0; y < fine.height(); ++y)
+            for (int x = 0; x < fine.width(); ++x)
+                image.plane(c)[std::size_t(y / grid) * std::size_t(image.width()) + std::size_t(x / grid)] +=
+                    share * fine.plane(c)[std::size_t(y) * std::size_t(fine.width()) + std::size_t(x)];
+    return image;
+}
+
+void spreadOverPixels(std::span<const float> values, int width, int part, int grid, Image& fine) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const int x = int(i % std::size_t(width)) * grid + part % grid,
+                  y = int(i / std::size_t(width)) * grid + part / grid;
+        fine.plane(0)[std::size_t(y) * std::size_t(fine.width()) + std::size_t(x)] = values[i];
+    }
+}
+
 double meanOf(const Image& image) {
     double sum = 0;
     for (float v : image.plane(0)) sum += double(v);

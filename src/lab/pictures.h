@@ -22,6 +22,13 @@ Image greyPicture(std::span<const float> values, int width, int height);
 /// Linear picture as a display shows it: sRGB-encoded and saturated.
 Image displayed(const Image& linear);
 
+/// Means of squares of grid x grid pixels. The size is a multiple of the grid.
+Image averagedOverPixels(const Image& fine, int grid);
+
+/// Writes values of a picture `width` wide into one point (counted row by row of the grid) of every pixel of the fine
+/// one.
+void spreadOverPixels(std::span<const float> values, int width, int part, int grid, Image& fine);
+
 /// Mean of the only plane.
 double meanOf(const Image& image);
 

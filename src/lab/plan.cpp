@@ -52,6 +52,27 @@ std::vector<std::pair<Family, Pipeline>> pipelinesOf(Family family) {
     return result;
 }
 
+std::vector<TruthKind> truthsOf(const CompareRequest& request, Family family, const Pipeline& pipeline,
+                                std::string& reason) {
+    const bool claims = family == Family::Ao && ownIntegrand(pipeline) != nullptr;
+    if (request.truthKind.empty()) {
+        if (family == Family::Shadow) return {TruthKind::Shadow};
+        if (family != Family::Ao) return {};
+        return claims ? std::vector{TruthKind::T1, TruthKind::Own} : std::vector{TruthKind::T1};
+    }
+    const TruthKind kind = truthKindFromName(request.truthKind);
+    std::vector<TruthKind> fitting;
+    if (family == Family::Shadow) fitting = truthKindsOf(Quantity::Shadow);
+    if (family == Family::Ao) fitting = truthKindsOf(Quantity::Ao);
+    if (family == Family::Aa) fitting = {TruthKind::Area};
+    if (std::find(fitting.begin(), fitting.end(), kind) == fitting.end())
+        reason = "the truth '" + request.truthKind + "' does not fit " + techniqueText(pipeline);
+    else if (kind == TruthKind::Own && !claims)
+        reason = pipeline.front().id + " claims no integral that the truth 'own' could trace";
+    if (!reason.empty()) return {};
+    return {kind};
+}
+
 ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
     ScenePlan plan;
     const std::vector<int> lights = chosenLights(scene, request.base.light);
@@ -71,11 +92,22 @@ ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
                 return;
             }
         }
+        std::string misfit;
+        const std::vector<TruthKind> truths = truthsOf(request, family, pipeline, misfit);
+        if (!misfit.empty()) {
+            if (named)
+                throw Error(
+                    ErrorCode::Usage, misfit,
+                    "shadows are held against shadow, self or area, ambient occlusion against T1 to T5, T5-ball, "
+                    "own or area, anti-aliasing against area");
+            plan.skipped.push_back({scene.name, techniqueText(pipeline), misfit});
+            return;
+        }
         for (const TechniqueSpec& spec : pipeline)
             if (named && !meantFor(scene, spec))
                 plan.warnings.push_back("the scene '" + scene.name + "' is not meant for " + spec.id + ", but for " +
                                         join(scene.techniques, ", "));
-        if (!plannedAlready(pipeline, light)) plan.runs.push_back({family, pipeline, light});
+        if (!plannedAlready(pipeline, light)) plan.runs.push_back({family, pipeline, light, truths});
     };
     const auto addAll = [&](int light, bool wantShadow) {
         for (const auto& [family, pipeline] : request.pipelines)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <ombrage/compare.h>
+#include <ombrage/truth_kind.h>
 
 namespace ombrage {
 
@@ -13,7 +14,8 @@ namespace ombrage {
 struct PlannedRun {
     Family family = Family::Shadow;
     Pipeline pipeline;
-    int light = -1;  ///< index into Scene::lights; -1 for families that take all lights at once
+    int light = -1;                      ///< index into Scene::lights; -1 for families that take all lights at once
+    std::vector<TruthKind> truths = {};  ///< one record for each; none: one record without truth
 };
 
 /// The runs of one scene and what was left out of them.
@@ -27,7 +29,12 @@ struct ScenePlan {
 /// family of occlusion's first technique that is not its baseline.
 std::vector<std::pair<Family, Pipeline>> pipelinesOf(Family family);
 
-/// @throws Error(Usage) when a pipeline asked for by name does not support a chosen light.
+/// The truths that the request holds a pipeline against: the kind asked for, or the family's first and, where the
+/// pipeline claims an integral, `own`. `reason` says why there is none where the kind does not fit.
+std::vector<TruthKind> truthsOf(const CompareRequest& request, Family family, const Pipeline& pipeline,
+                                std::string& reason);
+
+/// @throws Error(Usage) when a pipeline asked for by name does not support a chosen light or the truth asked for.
 ScenePlan planScene(const Scene& scene, const CompareRequest& request);
 
 /// Ids of the pipeline joined by '+', without parameters.

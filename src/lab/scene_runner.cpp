@@ -94,77 +94,134 @@ RenderSettings SceneRunner::settingsFor(int light) const {
     return settings;
 }
 
-SceneRunner::ShadowCase& SceneRunner::shadowCase(int light) {
-    if (m_shadow && m_shadow->light == light) return *m_shadow;
+Image SceneRunner::supersampled(RenderSettings settings) {
+    settings.width *= kAreaGrid;
+    settings.height *= kAreaGrid;
+    settings.frames = 1;
+    settings.warmupFrames = 0;
+    settings.aa = RenderSettings{}.aa;
+    return displayed(averagedOverPixels(m_renderer.render(settings).picture, kAreaGrid));
+}
+
+SceneRunner::ShadowCase& SceneRunner::shadowCase(int light, TruthKind kind) {
+    if (m_shadow && m_shadow->light == light && m_shadow->kind == kind) return *m_shadow;
     const Receivers& seen = receivers();
     announce(m_scene.name + ": tracing the shadows of the light '" + m_scene.lights[std::size_t(light)].name + "'");
+    const Camera& camera = m_moved.cameras[std::size_t(m_camera)];
+    ReferenceOptions options = referenceOptions();
+    options.kind = kind;
     ShadowCase made;
     made.light = light;
-    made.truth = m_reference->shadow(seen, m_moved.cameras[std::size_t(m_camera)], light, referenceOptions());
+    made.kind = kind;
     // The picture that a perfect technique would give: the same renderer with the truth in the technique's place.
     RenderSettings settings = settingsFor(light);
     settings.frames = 1;
     settings.warmupFrames = 0;
-    settings.givenVisibility[light] = greyPicture(made.truth.visibility, made.truth.width, made.truth.height);
-    made.picture = displayed(m_renderer.render(settings).picture);
-    made.truthPath = save(stem(light), "truth", settings.givenVisibility[light]);
-    made.picturePath = save(stem(light), "truth-picture", made.picture);
+    if (kind == TruthKind::Area) {
+        Image fine = Image::grey(options.width * kAreaGrid, options.height * kAreaGrid);
+        made.truth = m_reference->areaShadow(camera, light, options, [&](int part, const ShadowTruth& truth) {
+            spreadOverPixels(truth.visibility, truth.width, part, kAreaGrid, fine);
+        });
+        settings.givenVisibility[light] = std::move(fine);
+        made.picture = supersampled(settings);
+    } else {
+        made.truth = m_reference->shadow(seen, camera, light, options);
+        settings.givenVisibility[light] = greyPicture(made.truth.visibility, made.truth.width, made.truth.height);
+        made.picture = displayed(m_renderer.render(settings).picture);
+    }
+    const std::string name = stem(light) + (kind == TruthKind::Shadow ? "" : "-" + fileSlug(truthKindName(kind)));
+    made.truthPath = save(name, "truth", greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
+    made.picturePath = save(name, "truth-picture", made.picture);
     m_shadow = std::move(made);
     return *m_shadow;
 }
 
-SceneRunner::AoCase& SceneRunner::aoCase() {
-    if (m_ao) return *m_ao;
+SceneRunner::AoCase& SceneRunner::aoCase(TruthKind kind, const Pipeline& pipeline) {
+    // What is claimed depends on the technique's parameters, not on what filters it afterwards.
+    const std::string claimed = kind == TruthKind::Own ? toString({pipeline.front()}) : "";
+    for (AoCase& known : m_ao)
+        if (known.kind == kind && known.pipeline == claimed) return known;
     const Receivers& seen = receivers();
-    announce(m_scene.name + ": tracing the ambient occlusion");
+    announce(m_scene.name + ": tracing the ambient occlusion" +
+             (claimed.empty() ? "" : " that " + claimed + " claims"));
+    const Camera& camera = m_moved.cameras[std::size_t(m_camera)];
+    ReferenceOptions options = referenceOptions();
+    options.kind = kind;
+    const std::unique_ptr<AoIntegrand> integrand = kind == TruthKind::Own ? ownIntegrand(pipeline) : nullptr;
+    options.integrand = integrand.get();
     AoCase made;
-    made.truth = m_reference->ao(seen, m_moved.cameras[std::size_t(m_camera)], referenceOptions());
-    made.truthPath =
-        save(stem(-1) + "-ao", "truth", greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
-    m_ao = std::move(made);
-    return *m_ao;
+    made.kind = kind;
+    made.pipeline = claimed;
+    made.truth =
+        kind == TruthKind::Area ? m_reference->areaAo(camera, options) : m_reference->ao(seen, camera, options);
+    std::string name = stem(-1) + "-ao";
+    if (kind != TruthKind::T1) name += "-" + fileSlug(truthKindName(kind));
+    if (!claimed.empty()) name += "-" + hashOf(claimed).substr(0, 6);
+    made.truthPath = save(name, "truth", greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
+    m_ao.push_back(std::move(made));
+    return m_ao.back();
 }
 
-void SceneRunner::measureShadowRun(const PlannedRun& planned, const RenderResult& result, const std::string& name,
-                                   RunRecord& record) {
-    const ShadowCase& known = shadowCase(planned.light);
-    const auto visibility = result.visibility.find(planned.light);
-    if (visibility == result.visibility.end())
+void SceneRunner::measureShadowRun(const Measured& run, RunRecord& record) {
+    const int light = run.planned.light;
+    const ShadowCase& known = shadowCase(light, run.kind);
+    const auto visibility = run.result.visibility.find(light);
+    if (visibility == run.result.visibility.end())
         throw Error(ErrorCode::Environment, "the renderer gave no visibility for the light '" + record.light + "'");
     const std::span<const float> measured = visibility->second.plane(0);
-    // Only where raster and rays see the same triangle can the visibilities be compared.
+    // Only where raster and rays see the same triangle can the visibilities be compared; a mean over the pixel has
+    // many.
     ShadowTruth truth = known.truth;
-    maskDisagreement(truth.mask, truth.maskedShare, receivers(), result.instance, result.triangle);
-    const auto footprint = result.footprint.find(planned.light);
+    if (run.kind != TruthKind::Area)
+        maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
+    const auto footprint = run.result.footprint.find(light);
     const ShadowMeasurement measurement = measureShadow(
-        measured, truth, receivers(), footprint == result.footprint.end() ? TexelFootprint{} : footprint->second,
-        domainMask(planned.pipeline, m_moved.lights[std::size_t(planned.light)], m_traits, receivers()));
+        measured, truth, receivers(), footprint == run.result.footprint.end() ? TexelFootprint{} : footprint->second,
+        domainMask(run.planned.pipeline, m_moved.lights[std::size_t(light)], m_traits, receivers()));
     record.metrics = measurement.metrics;
-    const Image picture = displayed(result.picture);
+    const Image picture = displayed(run.result.picture);
     record.metrics["flip"] = meanOf(flip(known.picture, picture));
-    record.truth = RunRecord::Truth{"shadow", truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
-    record.images = {
-        {"truth", known.truthPath},
-        {"reference", known.picturePath},
-        {"picture", save(name, "picture", picture)},
-        {"visibility", save(name, "visibility", visibility->second)},
-        {"error", save(name, "error", errorPicture(measured, truth.visibility, truth.mask, truth.width, truth.height))},
-        {"classes", save(name, "classes", classPicture(measurement.classes, truth.mask, truth.width, truth.height))}};
+    record.truth =
+        RunRecord::Truth{truthKindName(run.kind), truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
+    record.images = {{"truth", known.truthPath},
+                     {"reference", known.picturePath},
+                     {"picture", save(run.name, "picture", picture)},
+                     {"visibility", save(run.name, "visibility", visibility->second)},
+                     {"error", save(run.name, "error",
+                                    errorPicture(measured, truth.visibility, truth.mask, truth.width, truth.height))}};
+    if (run.kind == TruthKind::Area) {
+        // Edges and causes are questions to points; a mean over the pixel has neither.
+        for (const char* key : {"over", "contact_gap", "alias", "penumbra", "acne", "other", "leak_mass"})
+            record.metrics.erase(key);
+    } else {
+        record.images["classes"] =
+            save(run.name, "classes", classPicture(measurement.classes, truth.mask, truth.width, truth.height));
+    }
 }
 
-void SceneRunner::measureAoRun(const RenderResult& result, const std::string& name, RunRecord& record) {
-    const AoCase& known = aoCase();
-    if (!result.ao) throw Error(ErrorCode::Environment, "the renderer gave no ambient visibility");
-    const std::span<const float> measured = result.ao->plane(0);
+void SceneRunner::measureAoRun(const Measured& run, RunRecord& record) {
+    const AoCase& known = aoCase(run.kind, run.planned.pipeline);
+    if (!run.result.ao) throw Error(ErrorCode::Environment, "the renderer gave no ambient visibility");
+    const std::span<const float> measured = run.result.ao->plane(0);
     AoTruth truth = known.truth;
-    maskDisagreement(truth.mask, truth.maskedShare, receivers(), result.instance, result.triangle);
+    if (run.kind != TruthKind::Area)
+        maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
     record.metrics = measureAo(measured, truth);
-    record.truth = RunRecord::Truth{"T1", truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
+    record.truth =
+        RunRecord::Truth{truthKindName(run.kind), truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
     record.images = {{"truth", known.truthPath},
-                     {"picture", save(name, "picture", displayed(result.picture))},
-                     {"visibility", save(name, "visibility", *result.ao)},
-                     {"error", save(name, "error",
+                     {"picture", save(run.name, "picture", displayed(run.result.picture))},
+                     {"visibility", save(run.name, "visibility", *run.result.ao)},
+                     {"error", save(run.name, "error",
                                     errorPicture(measured, truth.visibility, truth.mask, truth.width, truth.height))}};
+}
+
+void SceneRunner::measureAaRun(const Measured& run, RunRecord& record) {
+    const Image reference = supersampled(settingsFor(-1)), picture = displayed(run.result.picture);
+    record.metrics["flip"] = meanOf(flip(reference, picture));
+    record.truth = RunRecord::Truth{truthKindName(run.kind), kAreaGrid * kAreaGrid, 0, 0};
+    record.images = {{"reference", save(stem(-1) + "-area", "truth-picture", reference)},
+                     {"picture", save(run.name, "picture", picture)}};
 }
 
 RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings& settings,
@@ -198,29 +255,43 @@ RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings&
     return record;
 }
 
-RunRecord SceneRunner::run(const PlannedRun& planned) {
+std::string SceneRunner::fileName(const PlannedRun& planned, TruthKind kind) const {
+    // Parameters differ in more than letters and digits: a hash keeps their files apart.
+    const std::string text = toString(planned.pipeline), technique = techniqueText(planned.pipeline);
+    std::string name = stem(planned.light) + "-" + fileSlug(technique);
+    if (text != technique) name += "-" + hashOf(text).substr(0, 6);
+    if (kind != TruthKind::Shadow && kind != TruthKind::T1) name += "-" + fileSlug(truthKindName(kind));
+    return name;
+}
+
+std::vector<RunRecord> SceneRunner::run(const PlannedRun& planned) {
     RenderSettings settings = settingsFor(planned.light);
     placeOf(planned.family, settings) = planned.pipeline;
     // The truth comes first, so that the message names what takes the time.
-    if (planned.family == Family::Shadow) shadowCase(planned.light);
-    if (planned.family == Family::Ao) aoCase();
-    const std::string text = toString(planned.pipeline);
-    announce(m_scene.name + ": " + text);
+    for (const TruthKind kind : planned.truths) {
+        if (planned.family == Family::Shadow) shadowCase(planned.light, kind);
+        if (planned.family == Family::Ao) aoCase(kind, planned.pipeline);
+    }
+    announce(m_scene.name + ": " + toString(planned.pipeline));
     const RenderResult result = m_renderer.render(settings);
 
-    RunRecord record = describe(planned, settings, result);
-    // Parameters differ in more than letters and digits: a hash keeps their files apart.
-    const std::string technique = techniqueText(planned.pipeline);
-    std::string name = stem(planned.light) + "-" + fileSlug(technique);
-    if (text != technique) name += "-" + hashOf(text).substr(0, 6);
-    if (planned.family == Family::Shadow) {
-        measureShadowRun(planned, result, name, record);
-    } else if (planned.family == Family::Ao) {
-        measureAoRun(result, name, record);
-    } else {
-        record.images["picture"] = save(name, "picture", displayed(result.picture));
+    std::vector<RunRecord> records;
+    for (const TruthKind kind : planned.truths) {
+        records.push_back(describe(planned, settings, result));
+        const Measured run{planned, result, kind, fileName(planned, kind)};
+        if (planned.family == Family::Shadow)
+            measureShadowRun(run, records.back());
+        else if (planned.family == Family::Ao)
+            measureAoRun(run, records.back());
+        else
+            measureAaRun(run, records.back());
     }
-    return record;
+    if (planned.truths.empty()) {
+        records.push_back(describe(planned, settings, result));
+        records.back().images["picture"] =
+            save(fileName(planned, TruthKind::Shadow), "picture", displayed(result.picture));
+    }
+    return records;
 }
 
 }  // namespace ombrage

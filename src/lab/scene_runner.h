@@ -20,37 +20,52 @@ namespace ombrage {
 /// one light is kept until another light is asked for, so runs should come ordered by light.
 class SceneRunner {
 public:
-    /// @param tell   called with what is being done (an empty text is a sign of life); false stops with Error(Interrupted)
+    /// @param tell   called with what is being done (an empty text is a sign of life); false stops with
+    /// Error(Interrupted)
     SceneRunner(const Scene& scene, const CompareRequest& request, Renderer& renderer,
                 std::function<bool(const std::string&)> tell);
 
+    /// One render, and a record for each truth that it is held against.
     /// @throws whatever scene, renderer and files throw; nothing is written for a run that threw, pictures apart.
-    RunRecord run(const PlannedRun& planned);
+    std::vector<RunRecord> run(const PlannedRun& planned);
 
 private:
     /// The truth of one light and the picture that the renderer composes with it.
     struct ShadowCase {
         int light = -1;
+        TruthKind kind = TruthKind::Shadow;
         ShadowTruth truth;
         Image picture;  ///< as displayed
         std::string truthPath, picturePath;
     };
     struct AoCase {
+        TruthKind kind = TruthKind::T1;
+        std::string pipeline;  ///< of TruthKind::Own: what claims it
         AoTruth truth;
         std::string truthPath;
     };
+    /// What one record is made of.
+    struct Measured {
+        const PlannedRun& planned;
+        const RenderResult& result;
+        TruthKind kind;
+        std::string name;  ///< of its files
+    };
 
-    ShadowCase& shadowCase(int light);
-    AoCase& aoCase();
-    void measureShadowRun(const PlannedRun& planned, const RenderResult& result, const std::string& stem,
-                          RunRecord& record);
-    void measureAoRun(const RenderResult& result, const std::string& stem, RunRecord& record);
+    ShadowCase& shadowCase(int light, TruthKind kind);
+    AoCase& aoCase(TruthKind kind, const Pipeline& pipeline);
+    void measureShadowRun(const Measured& run, RunRecord& record);
+    void measureAoRun(const Measured& run, RunRecord& record);
+    void measureAaRun(const Measured& run, RunRecord& record);
+    /// What the settings give in a picture kAreaGrid times as wide and high, averaged over each pixel, as displayed.
+    Image supersampled(RenderSettings settings);
     RunRecord describe(const PlannedRun& planned, const RenderSettings& settings, const RenderResult& result) const;
     ReferenceOptions referenceOptions() const;
     const Receivers& receivers();
     void announce(const std::string& what) const;
     RenderSettings settingsFor(int light) const;
     std::string stem(int light) const;
+    std::string fileName(const PlannedRun& planned, TruthKind kind) const;
     /// Writes DIR/images/STEM-KIND.png and returns the path relative to DIR.
     std::string save(const std::string& stem, const std::string& kind, const Image& image) const;
 
@@ -65,7 +80,7 @@ private:
     SceneTraits m_traits;
     std::optional<Receivers> m_receivers;
     std::optional<ShadowCase> m_shadow;
-    std::optional<AoCase> m_ao;
+    std::vector<AoCase> m_ao;
 };
 
 }  // namespace ombrage

@@ -1,54 +1,64 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <limits>
+
 #include <ombrage/error.h>
 
+#include "reference/ao_estimator.h"
 #include "reference/parallel_rows.h"
-#include "reference/reference_impl.h"
 
 namespace ombrage {
+namespace {
 
-Reference::Estimate openSky(const RayScene& rays, const SurfacePoint& point, double radius_m, int samples,
-                            std::uint32_t seed) {
-    Ray ray;
-    ray.origin = point.position;
-    ray.length_m = radius_m;
-    ray.ownTriangle = point.triangle;
-    std::array<double, kScramblings> means{};
-    for (int k = 0; k < kScramblings; ++k) {
-        const std::uint32_t scrambling = hashCombine(seed, std::uint32_t(k));
-        int open = 0;
-        for (int i = 0; i < samples; ++i) {
-            ray.direction = cosineDirection(point.shadingNormal, owenSobol2(std::uint32_t(i), scrambling));
-            // Below the geometric horizon the surface itself is in the way.
-            if (glm::dot(ray.direction, point.normal) > 0 && !rays.occluded(ray)) ++open;
-        }
-        means[std::size_t(k)] = double(open) / samples;
-    }
-    return combine(means);
+constexpr std::uint32_t kStream = 0;
+
+/// @throws Error(Usage) for what ao() does not answer.
+TruthKind checkedKind(const ReferenceOptions& options) {
+    const TruthKind kind = options.kind.value_or(truthKindsOf(Quantity::Ao).front());
+    truthKindFromName(truthKindName(kind), Quantity::Ao);
+    if (kind == TruthKind::Area)
+        throw Error(ErrorCode::Usage, "the truth 'area' has receivers of its own", "Use Reference::areaAo.");
+    if (kind == TruthKind::Own && !options.integrand)
+        throw Error(ErrorCode::Usage, "the truth 'own' needs a technique that states what it claims");
+    return kind;
 }
 
-AoTruth Reference::ao(const Receivers& receivers, const Camera&, const ReferenceOptions& options) const {
+}  // namespace
+
+AoTruth Reference::ao(const Receivers& receivers, const Camera& camera, const ReferenceOptions& options) const {
     checkReceivers(receivers);
-    const float radius_m = m_impl->scene.aoRadius_m;
-    if (!(radius_m > 0))
+    AoQuestion question;
+    question.kind = checkedKind(options);
+    question.radius_m = m_impl->scene.aoRadius_m;
+    if (question.kind == TruthKind::T4) question.radius_m = std::numeric_limits<double>::infinity();
+    if (!(question.radius_m > 0))
         throw Error(ErrorCode::Usage, "the scene has no radius of ambient occlusion", "Set ao_radius_m above 0.");
-    const int samples = samplesPerScrambling(options.samplesPerPixel, 256);
+    question.integrand = options.integrand;
+    CameraView view;
+    if (question.kind == TruthKind::Own) {
+        view = makeCameraView(camera, receivers.width, receivers.height, m_impl->flat.origin, m_impl->bounds);
+        question.view = &view;
+    }
+    const SampleSets sets(pointSeed(options.seed, kStream, kNoHit),
+                          samplesPerScrambling(options.samplesPerPixel, kAoSamples));
+    const AoEstimator estimator(m_impl->rays, m_impl->flat, question, sets);
 
     AoTruth t;
     t.width = receivers.width;
     t.height = receivers.height;
-    t.samplesPerPixel = samples * kScramblings;
-    t.radius_m = radius_m;
+    t.samplesPerPixel = sets.samples() * kScramblings;
+    t.radius_m = float(question.radius_m);
     t.visibility.assign(receivers.triangle.size(), 1.0f);
     t.standardError.assign(receivers.triangle.size(), 0.0f);
     t.mask.assign(receivers.triangle.size(), Mask::Sky);
 
     const double inset_m = m_impl->rays.positionError_m(0);
     parallelRows(receivers.height, options, [&](int y) {
+        SurfacePoints points(m_impl->flat, receivers, inset_m);
         for (int x = 0; x < receivers.width; ++x) {
             const std::size_t i = std::size_t(y) * std::size_t(receivers.width) + std::size_t(x);
             if (receivers.triangle[i] == kNoHit) continue;
-            const Estimate e = openSky(m_impl->rays, surfacePoint(m_impl->flat, receivers, i, inset_m), radius_m, samples,
-                                       pointSeed(options.seed, 0, std::uint32_t(i)));
+            const Estimate e = estimator.at(points.at(i), pointSeed(options.seed, kStream, std::uint32_t(i)));
             t.mask[i] = Mask::Valid;
             t.visibility[i] = float(e.mean);
             t.standardError[i] = float(e.standardError);
@@ -59,11 +69,15 @@ AoTruth Reference::ao(const Receivers& receivers, const Camera&, const Reference
 }
 
 Reference::Estimate Reference::aoAt(const glm::dvec3& point, const glm::dvec3& normal, double radius_m, int samples,
-                                    std::uint64_t seed) const {
+                                    std::uint64_t seed, TruthKind kind) const {
+    ReferenceOptions options;
+    options.kind = kind;
     SurfacePoint p;
     p.position = point - m_impl->flat.origin;
     p.normal = p.shadingNormal = glm::normalize(normal);
-    return openSky(m_impl->rays, p, radius_m, samplesPerScrambling(samples, 256), pointSeed(seed, 0, 0));
+    const AoQuestion question{checkedKind(options), radius_m, nullptr, nullptr};
+    const SampleSets sets(pointSeed(seed, kStream, kNoHit), samplesPerScrambling(samples, kAoSamples));
+    return AoEstimator(m_impl->rays, m_impl->flat, question, sets).at(p, pointSeed(seed, kStream, 0));
 }
 
 }  // namespace ombrage

@@ -8,25 +8,7 @@
 namespace ombrage {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// Direction in the cone about `axis`, uniform in solid angle. `oneMinusCos` of the half angle, kept apart because it
-/// loses all digits for small cones.
-glm::dvec3 coneDirection(const glm::dvec3& axis, double oneMinusCos, glm::vec2 u) {
-    glm::dvec3 t, b;
-    basis(axis, t, b);
-    const double height = double(u.x) * oneMinusCos;  // 1 - cos of the direction's angle
-    const double sine = std::sqrt(std::max(0.0, height * (2 - height)));
-    const double phi = 2 * kPi * double(u.y);
-    return glm::normalize(axis * (1 - height) + (t * std::cos(phi) + b * std::sin(phi)) * sine);
-}
-
-/// Point of the unit disk, uniform in area.
-glm::dvec2 diskPoint(glm::vec2 u) {
-    const double r = std::sqrt(double(u.x)), phi = 2 * kPi * double(u.y);
-    return {r * std::cos(phi), r * std::sin(phi)};
-}
 
 }  // namespace
 
@@ -37,14 +19,6 @@ void basis(const glm::dvec3& n, glm::dvec3& t, glm::dvec3& b) {
     const double c = n.x * n.y * a;
     t = {1 + sign * n.x * n.x * a, sign * c, -sign * n.x};
     b = {c, sign + n.y * n.y * a, -n.y};
-}
-
-glm::dvec3 cosineDirection(const glm::dvec3& n, glm::vec2 u) {
-    // A uniform disk point lifted to the sphere is cosine-weighted (Malley).
-    glm::dvec3 t, b;
-    basis(n, t, b);
-    const glm::dvec2 d = diskPoint(u);
-    return glm::normalize(t * d.x + b * d.y + n * std::sqrt(std::max(0.0, 1 - double(u.x))));
 }
 
 LightShape::LightShape(const Light& light, const glm::dvec3& origin)
@@ -95,54 +69,96 @@ LightSample LightShape::centre(const glm::dvec3& point) const {
     return s;
 }
 
-LightSample LightShape::sample(const glm::dvec3& point, glm::vec2 u) const {
-    if (!m_hasSize) return centre(point);
-    LightSample s;
-    switch (m_light.type) {
-        case LightType::Sun: {
-            const double half = 0.5 * double(m_light.angle_rad);
-            s.direction = coneDirection(-m_direction, 2 * std::sin(0.5 * half) * std::sin(0.5 * half), u);
-            s.distance_m = kInfinity;
-            s.irradiance = m_light.intensity;
-            return s;
+void LightShape::sampleCone(const glm::dvec3& axis, double oneMinusCos, const PolarSamples& samples,
+                            LightBundle& found) const {
+    // Uniform in solid angle. `oneMinusCos` of the half angle is kept apart because it loses all digits for small
+    // cones.
+    glm::dvec3 t, b;
+    basis(axis, t, b);
+    for (std::size_t i = 0; i < RayBundle::kSize; ++i) {
+        const double height = double(samples.u[i]) * oneMinusCos;  // 1 - cos of the direction's angle
+        const double sine = std::sqrt(height * (2 - height));
+        const double x = double(samples.cosine[i]) * sine, y = double(samples.sine[i]) * sine, z = 1 - height;
+        found.x[i] = axis.x * z + t.x * x + b.x * y;
+        found.y[i] = axis.y * z + t.y * x + b.y * y;
+        found.z[i] = axis.z * z + t.z * x + b.z * y;
+    }
+}
+
+void LightShape::sampleSphere(const glm::dvec3& point, const PolarSamples& samples, LightBundle& found) const {
+    const glm::dvec3 toCentre = m_position - point;
+    const double distance2 = glm::dot(toCentre, toCentre), radius = m_light.radius_m, radius2 = radius * radius;
+    const bool inside = distance2 <= radius2;
+    // From within, the sphere fills all directions; from outside, a cone of sine radius / distance.
+    const double sine2 = inside ? 0 : radius2 / distance2;
+    const double oneMinusCos = inside ? 2 : sine2 / (1 + std::sqrt(1 - sine2));
+    sampleCone(distance2 > 0 ? toCentre / std::sqrt(distance2) : glm::dvec3(0, 1, 0), oneMinusCos, samples, found);
+    const double side = inside ? 1 : -1;
+    for (std::size_t i = 0; i < RayBundle::kSize; ++i) {
+        // Along the direction, the near side of the sphere, or its far side from within.
+        const double along = toCentre.x * found.x[i] + toCentre.y * found.y[i] + toCentre.z * found.z[i];
+        const double half = std::sqrt(std::max(0.0, radius2 - distance2 + along * along));
+        found.distance_m[i] = std::max(0.0, along + side * half);
+    }
+    // Radiance I / (pi r^2) over the cone's solid angle 2 pi (1 - cos).
+    found.irradiance.fill(double(m_light.intensity) / radius2 * 2 * oneMinusCos);
+}
+
+void LightShape::sampleArea(const glm::dvec3& point, const LightBundle::Lanes& right_m, const LightBundle::Lanes& up_m,
+                            LightBundle& found) const {
+    const glm::dvec3 toCentre = m_position - point;
+    const bool isRect = m_light.type == LightType::Rect;
+    const double area_m2 = isRect ? double(m_light.size_m.x) * double(m_light.size_m.y) : 1;
+    found.facing = 0;
+    for (std::size_t i = 0; i < RayBundle::kSize; ++i) {
+        const glm::dvec3 to = toCentre + m_tangent * right_m[i] + m_bitangent * up_m[i];
+        const double distance2 = glm::dot(to, to), distance_m = std::sqrt(distance2);
+        // A receiver on the light has no direction there: any will do, none carries irradiance.
+        const glm::dvec3 direction = distance_m > 0 ? to / distance_m : m_direction;
+        const double cosine = -glm::dot(direction, m_direction);
+        found.x[i] = direction.x;
+        found.y[i] = direction.y;
+        found.z[i] = direction.z;
+        found.distance_m[i] = distance_m;
+        found.facing |= std::uint32_t(cosine > 0) << i;
+        const double towards = isRect ? std::max(cosine, 0.0) : spotFalloff(-direction);
+        found.irradiance[i] = cosine > 0 ? double(m_light.intensity) * area_m2 * towards / distance2 : 0;
+    }
+}
+
+void LightShape::sample(const glm::dvec3& point, const SampleSets& sets, int scrambling, int bundle,
+                        const SampleSets::Move& move, LightBundle& found) const {
+    LightBundle::Lanes right_m{}, up_m{};
+    if (m_light.type == LightType::Rect) {
+        SquareSamples samples;
+        sets.square(scrambling, bundle, move, samples);
+        for (std::size_t i = 0; i < RayBundle::kSize; ++i) {
+            right_m[i] = (double(samples.u[i]) - 0.5) * double(m_light.size_m.x);
+            up_m[i] = (double(samples.v[i]) - 0.5) * double(m_light.size_m.y);
         }
-        case LightType::Point: {
-            const glm::dvec3 toCentre = m_position - point;
-            const double distance2 = glm::dot(toCentre, toCentre), radius = m_light.radius_m, radius2 = radius * radius;
-            const bool inside = distance2 <= radius2;
-            // From within, the sphere fills all directions; from outside, a cone of sine radius / distance.
-            const double sine2 = inside ? 0 : radius2 / distance2;
-            const double oneMinusCos = inside ? 2 : sine2 / (1 + std::sqrt(1 - sine2));
-            const glm::dvec3 axis = distance2 > 0 ? toCentre / std::sqrt(distance2) : glm::dvec3(0, 1, 0);
-            s.direction = coneDirection(axis, oneMinusCos, u);
-            // Along the direction, the near side of the sphere, or its far side from within.
-            const double along = glm::dot(toCentre, s.direction);
-            const double half = std::sqrt(std::max(0.0, radius2 - distance2 + along * along));
-            s.distance_m = std::max(0.0, inside ? along + half : along - half);
-            // Radiance I / (pi r^2) over the cone's solid angle 2 pi (1 - cos).
-            s.irradiance = m_light.intensity / radius2 * 2 * oneMinusCos;
-            return s;
-        }
-        default:
-            break;
+        sampleArea(point, right_m, up_m, found);
+        return;
     }
 
-    // A point on the rect or the disk.
-    glm::dvec2 offset = m_light.type == LightType::Rect ? glm::dvec2(u) - 0.5 : diskPoint(u);
-    offset *= m_light.type == LightType::Rect ? glm::dvec2(m_light.size_m) : glm::dvec2(m_light.radius_m);
-    const glm::dvec3 toLight = m_position + m_tangent * offset.x + m_bitangent * offset.y - point;
-    s.distance_m = glm::length(toLight);
-    if (s.distance_m <= 0) return s;
-    s.direction = toLight / s.distance_m;
-    const double cosine = -glm::dot(s.direction, m_direction);
-    s.facing = cosine > 0;
-    const double inverseSquare = 1 / (s.distance_m * s.distance_m);
-    if (m_light.type == LightType::Rect)
-        s.irradiance = m_light.intensity * double(m_light.size_m.x) * double(m_light.size_m.y) * std::max(cosine, 0.0) *
-                       inverseSquare;
-    else
-        s.irradiance = m_light.intensity * inverseSquare * spotFalloff(-s.direction);
-    return s;
+    PolarSamples samples;
+    sets.polar(scrambling, bundle, move, samples);
+    found.facing = 0xffffu;
+    if (m_light.type == LightType::Sun) {
+        const double quarterSine = std::sin(0.25 * double(m_light.angle_rad));
+        sampleCone(-m_direction, 2 * quarterSine * quarterSine, samples, found);
+        found.distance_m.fill(kInfinity);
+        found.irradiance.fill(m_light.intensity);
+    } else if (m_light.type == LightType::Point) {
+        sampleSphere(point, samples, found);
+    } else {
+        // The disk of a spot, uniform in area.
+        for (std::size_t i = 0; i < RayBundle::kSize; ++i) {
+            const double r = std::sqrt(double(samples.u[i])) * double(m_light.radius_m);
+            right_m[i] = r * double(samples.cosine[i]);
+            up_m[i] = r * double(samples.sine[i]);
+        }
+        sampleArea(point, right_m, up_m, found);
+    }
 }
 
 Mask LightShape::mask(const glm::dvec3& point, const glm::dvec3& normal) const {

@@ -31,7 +31,7 @@ Receivers Reference::receivers(const Camera& camera, const ReferenceOptions& opt
     parallelRows(options.height, options, [&](int y) {
         for (int x = 0; x < options.width; ++x) {
             Ray ray;
-            view.ray(x + 0.5, y + 0.5, ray.origin, ray.direction);
+            view.ray(x + options.pixelPoint.x, y + options.pixelPoint.y, ray.origin, ray.direction);
             const auto hit = m_impl->rays.nearest(ray);
             if (!hit) continue;
 

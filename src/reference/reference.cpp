@@ -24,39 +24,37 @@ double maskedShareOf(const std::vector<Mask>& mask) {
 Reference::Reference(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
 Reference::~Reference() = default;
 
-namespace {
-
-/// Barycentric weights moved at least `inset_m` inside the triangle (to its middle when it is smaller than that).
-glm::dvec3 insetWeights(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, glm::dvec2 uv, double inset_m) {
-    const double doubleArea = glm::length(glm::cross(b - a, c - a));
-    const glm::dvec3 edges(glm::length(c - b), glm::length(c - a), glm::length(b - a));
-    glm::dvec3 weights(1 - uv.x - uv.y, uv.x, uv.y);
-    // A weight is the distance to the opposite edge over the height on it.
-    for (int i = 0; i < 3; ++i)
-        weights[i] =
-            std::max(weights[i], doubleArea > 0 ? std::min(inset_m * edges[i] / doubleArea, 1.0 / 3) : 1.0 / 3);
-    return weights / (weights.x + weights.y + weights.z);
+void SurfacePoints::turnTo(std::uint32_t triangle) {
+    m_triangle = triangle;
+    const glm::uvec3 t = m_flat.triangles[triangle];
+    m_a = glm::dvec3(m_flat.positions[t.x]);
+    m_ab = glm::dvec3(m_flat.positions[t.y]) - m_a;
+    m_ac = glm::dvec3(m_flat.positions[t.z]) - m_a;
+    const glm::dvec3 n = glm::cross(m_ab, m_ac);
+    const double doubleArea = glm::length(n);
+    m_normal = doubleArea > 0 ? n / doubleArea : glm::dvec3(0.0);
+    // A weight is the distance to the opposite edge over the height on it; at most the middle is reached.
+    const glm::dvec3 edges(glm::length(m_ac - m_ab), glm::length(m_ac), glm::length(m_ab));
+    m_least = doubleArea > 0 ? glm::min(edges * (m_inset_m / doubleArea), 1.0 / 3) : glm::dvec3(1.0 / 3);
 }
 
-}  // namespace
-
-SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index, double inset_m) {
+SurfacePoint SurfacePoints::at(std::size_t index) {
     SurfacePoint p;
-    p.triangle = receivers.triangle[index];
-    p.instance = receivers.instance[index];
-    const glm::uvec3 t = flat.triangles[p.triangle];
-    const glm::dvec3 a(flat.positions[t.x]), b(flat.positions[t.y]), c(flat.positions[t.z]);
-    const glm::dvec3 w = insetWeights(a, b, c, glm::dvec2(receivers.barycentric[index]), inset_m);
+    p.triangle = m_receivers.triangle[index];
+    p.instance = m_receivers.instance[index];
+    if (p.triangle != m_triangle) turnTo(p.triangle);
+
     // In this form a level plane keeps its exact height, which grazing rays along it need.
-    p.position = a + (b - a) * w.y + (c - a) * w.z;
+    const glm::dvec2 uv(m_receivers.barycentric[index]);
+    glm::dvec3 w = glm::max(glm::dvec3(1 - uv.x - uv.y, uv.x, uv.y), m_least);
+    w /= w.x + w.y + w.z;
+    p.position = m_a + m_ab * w.y + m_ac * w.z;
 
     // The stored normal tells the side; the triangle gives it in full precision.
-    const glm::dvec3 stored(receivers.normal[index]);
-    const glm::dvec3 n = glm::cross(b - a, c - a);
-    const double length = glm::length(n);
-    p.normal = length > 0 ? n / length : stored;
+    const glm::dvec3 stored(m_receivers.normal[index]);
+    p.normal = m_normal == glm::dvec3(0.0) ? stored : m_normal;
     if (glm::dot(p.normal, stored) < 0) p.normal = -p.normal;
-    p.shadingNormal = glm::normalize(glm::dvec3(receivers.shadingNormal[index]));
+    p.shadingNormal = glm::normalize(glm::dvec3(m_receivers.shadingNormal[index]));
     return p;
 }
 

@@ -14,6 +14,9 @@
 
 namespace ombrage {
 
+/// Samples per pixel where none are asked for.
+inline constexpr int kSoftSamples = 1024, kAoSamples = 256;
+
 struct Reference::Impl {
     explicit Impl(const Scene& s) : scene(s), flat(flatten(s)), bounds(s.bounds()), rays(s, flat) {}
 
@@ -32,9 +35,28 @@ struct SurfacePoint {
     std::uint32_t instance = kNoHit;
 };
 
-/// The receiver of pixel `index`, its position from the barycentrics in double, kept `inset_m` away from its triangle's
-/// edges: a point on the very crease of two walls has no answer, the limit from its own side has.
-SurfacePoint surfacePoint(const FlatScene& flat, const Receivers& receivers, std::size_t index, double inset_m);
+/// Turns receivers into points, their positions from the barycentrics in double, kept `inset_m` away from their
+/// triangles' edges: a point on the very crease of two walls has no answer, the limit from its own side has. Neighbours
+/// often share a triangle, so what was last worked out of one is kept: one object for each thread.
+class SurfacePoints {
+public:
+    SurfacePoints(const FlatScene& flat, const Receivers& receivers, double inset_m)
+        : m_flat(flat), m_receivers(receivers), m_inset_m(inset_m) {}
+
+    /// The receiver of pixel `index`, which is not sky.
+    SurfacePoint at(std::size_t index);
+
+private:
+    void turnTo(std::uint32_t triangle);
+
+    const FlatScene& m_flat;
+    const Receivers& m_receivers;
+    const double m_inset_m;
+    std::uint32_t m_triangle = kNoHit;
+    glm::dvec3 m_a{0.0}, m_ab{0.0}, m_ac{0.0};
+    glm::dvec3 m_normal{0.0};       ///< unit; 0 without area
+    glm::dvec3 m_least{1.0 / 3.0};  ///< least weight of each corner
+};
 
 /// Truth of one light at one point.
 struct LightTruth {
@@ -44,14 +66,10 @@ struct LightTruth {
     double irradiance = 0;  ///< unshadowed, per unit of colour
 };
 
-/// @param instances per instance, whether it shades this light
-/// @param samples per scrambling; ignored for hard lights
-LightTruth lightTruth(const RayScene& rays, const LightShape& light, const SurfacePoint& point,
-                      const std::vector<bool>& instances, int samples, std::uint32_t seed);
-
-/// T1 (T4 with an infinite radius): mean and standard error.
-Reference::Estimate openSky(const RayScene& rays, const SurfacePoint& point, double radius_m, int samples,
-                            std::uint32_t seed);
+/// The truth of a light with a size.
+/// @param casters per instance, whether it shades this light; null: all do
+LightTruth softTruth(const RayScene& rays, const LightShape& light, const SurfacePoint& point,
+                     const std::vector<bool>* casters, const SampleSets& sets, std::uint32_t seed);
 
 /// Per instance, whether it shades the light.
 std::vector<bool> shadingInstances(const FlatScene& flat, const Light& light);

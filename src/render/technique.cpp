@@ -40,24 +40,39 @@ const TechniqueEntry& techniqueEntry(const std::string& id) {
     throw unknownName("technique", id, ids);
 }
 
+void setParams(const TechniqueSpec& spec, const ParamTable& table, void* params) {
+    for (const auto& [key, text] : spec.params) {
+        const ParamField& field = table.find(key, spec.id);
+        field.set(params, ParamTable::parse(field.info, text, spec.id));
+    }
+}
+
+std::unique_ptr<AoIntegrand> ownIntegrand(const Pipeline& pipeline) {
+    if (pipeline.empty()) return nullptr;
+    const IntegrandMaker& maker = techniqueEntry(pipeline.front().id).traits.integrand;
+    return maker ? maker(pipeline.front()) : nullptr;
+}
+
 std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec) {
     const TechniqueEntry& entry = techniqueEntry(spec.id);
     std::unique_ptr<Technique> technique = entry.create();
     technique->setEntry(entry);
-    for (const auto& [key, text] : spec.params) {
-        const ParamField& field = technique->table().find(key, spec.id);
-        field.set(technique->params(), ParamTable::parse(field.info, text, spec.id));
-    }
+    setParams(spec, technique->table(), technique->params());
     return technique;
 }
 
 const char* familyName(Family family) {
     switch (family) {
-        case Family::Shadow: return "shadow";
-        case Family::Ao: return "ao";
-        case Family::Filter: return "filter";
-        case Family::Indirect: return "indirect";
-        case Family::Aa: return "aa";
+        case Family::Shadow:
+            return "shadow";
+        case Family::Ao:
+            return "ao";
+        case Family::Filter:
+            return "filter";
+        case Family::Indirect:
+            return "indirect";
+        case Family::Aa:
+            return "aa";
     }
     return "";
 }

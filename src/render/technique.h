@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <ombrage/ao_integrand.h>
 #include <ombrage/metrics.h>
 #include <ombrage/technique.h>
 
@@ -110,6 +111,22 @@ template <typename P = NoParams> using FilterTechniqueOf = WithParams<FilterTech
 template <typename P = NoParams> using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
 template <typename P = NoParams> using AaTechniqueOf = WithParams<AaTechnique, P>;
 
+/// Makes the integral that a technique of ambient occlusion claims, for parameters that differ from the defaults.
+using IntegrandMaker = std::function<std::unique_ptr<AoIntegrand>(const TechniqueSpec&)>;
+
+/// The values of `spec` put into a parameter struct. @throws Error(Usage) as createTechnique.
+void setParams(const TechniqueSpec& spec, const ParamTable& table, void* params);
+
+/// The maker for TechniqueTraits from a function of the technique's parameter struct.
+template <typename P>
+IntegrandMaker integrandOf(std::unique_ptr<AoIntegrand> (*make)(const P&)) {
+    return [make](const TechniqueSpec& spec) {
+        P params;
+        setParams(spec, P::describe(), &params);
+        return make(params);
+    };
+}
+
 /// What a technique's source says of itself, beside its parameters.
 struct TechniqueTraits {
     std::string title;
@@ -120,6 +137,7 @@ struct TechniqueTraits {
     std::vector<PassInfo> passes;      ///< every name that the technique exposes
     bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
     bool neutral = false;              ///< changes nothing (visibility 1, radiance 0, the input): rendering may leave it out
+    IntegrandMaker integrand = {};     ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
 };
 
 /// A row of the generated table.

@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include <ombrage/truth_kind.h>
 #include "core/strings.h"
 #include "report/html_text.h"
 #include "report/page.h"
@@ -23,6 +24,8 @@ std::string bestOf(const std::vector<RunRecord>& records, const std::string& fam
     int most = 0;
     for (const RunRecord& r : records) {
         const auto rmse = r.metrics.find("rmse");
+        // What a technique claims is a truth for itself alone.
+        if (r.truth && r.truth->kind == truthKindName(TruthKind::Own)) continue;
         if (r.family != family || rmse == r.metrics.end() || !rmse->second) continue;
         Mean& mean = means[r.pipeline];
         mean.rmse += *rmse->second;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 #include <ombrage/metrics.h>
+#include <ombrage/truth_kind.h>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -107,16 +108,25 @@ std::string figure(const Previews& previews, const RunRecord& r, const std::stri
            uri->second + "\"><figcaption>" + escapeHtml(title) + "</figcaption></figure>\n";
 }
 
+/// Every technique is held against a truth of its own.
+bool isOwn(const RunRecord& r) {
+    return r.truth && r.truth->kind == truthKindName(TruthKind::Own);
+}
+
 std::string cards(const Previews& previews, const std::vector<const RunRecord*>& group) {
     const RunRecord& first = *group.front();
     const std::string where = first.scene + (first.light.empty() ? "" : ", light " + first.light);
     std::string html = "<div class=\"cards\">\n";
-    html += figure(previews, first, "truth", "truth: visibility", "Ray-traced visibility of " + where);
+    if (!isOwn(first))
+        html += figure(previews, first, "truth", "truth: visibility", "Ray-traced visibility of " + where);
     html += figure(previews, first, "reference", "truth: picture",
                    "Picture of " + where + " with the ray-traced visibility");
     for (const RunRecord* r : group) {
         const std::string values = measured(*r),
                           suffix = " by " + r->pipeline + " on " + where + (values.empty() ? "" : ": " + values);
+        if (isOwn(*r))
+            html += figure(previews, *r, "truth", r->pipeline + ": claim",
+                           "Ray-traced integral that " + r->pipeline + " claims on " + where);
         html += figure(previews, *r, "visibility", r->pipeline + ": visibility", "Visibility" + suffix);
         html += figure(previews, *r, "error", r->pipeline + ": error", "Error map" + suffix);
         html += figure(previews, *r, "classes", r->pipeline + ": error classes", "Classes of the errors" + suffix);
@@ -127,10 +137,11 @@ std::string cards(const Previews& previews, const std::vector<const RunRecord*>&
 
 std::string sections(const ReportData& data) {
     // Only runs that answer the same question stand in one table.
-    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, int, int>;
+    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, int, int, std::string>;
     std::vector<std::pair<Key, std::vector<const RunRecord*>>> groups;
     for (const RunRecord& r : data.records) {
-        const Key key{r.scene, r.sceneHash, r.family, r.camera, r.light, r.width, r.height};
+        const Key key{r.scene, r.sceneHash, r.family, r.camera,
+                      r.light, r.width,     r.height, r.truth ? r.truth->kind : std::string()};
         auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == key; });
         if (group == groups.end()) group = groups.insert(groups.end(), {key, {}});
         group->second.push_back(&r);
@@ -139,7 +150,8 @@ std::string sections(const ReportData& data) {
     for (const auto& [key, group] : groups) {
         const RunRecord& r = *group.front();
         html += "<section class=\"measured\">\n<h2>" + escapeHtml(r.scene) + ": " + escapeHtml(r.family) +
-                (r.light.empty() ? "" : ", light " + escapeHtml(r.light)) + "</h2>\n";
+                (r.light.empty() ? "" : ", light " + escapeHtml(r.light)) +
+                (isOwn(r) ? ", against what each technique claims" : "") + "</h2>\n";
         std::string about = fmt::format("Camera {}, {}x{}, scene {}", r.camera, r.width, r.height, r.sceneHash);
         if (r.truth)
             about += fmt::format(". Truth {}: {} sample{} per pixel, standard error {}, {} % of the surface masked",

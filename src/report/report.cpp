@@ -15,7 +15,8 @@ namespace {
 constexpr std::size_t kPictureBudget = 7'000'000;
 
 auto identity(const RunRecord& r) {
-    return std::tie(r.scene, r.sceneHash, r.camera, r.light, r.width, r.height, r.seed, r.pipeline);
+    return std::tuple(std::tie(r.scene, r.sceneHash, r.camera, r.light, r.width, r.height, r.seed, r.pipeline),
+                      r.truth ? r.truth->kind : std::string());
 }
 
 /// A run that was done again takes the place of the earlier one.

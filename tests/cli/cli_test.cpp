@@ -225,6 +225,12 @@ TEST_F(Cli, RefusesWrongValues) {
     expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "indirect"},
                      "unknown value of --quantity 'indirect'");
     expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "ao", "--truth", "T9"}, "T1");
+    expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "ao", "--truth", "self"}, "does not fit");
+    expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "ao", "--truth", "own"}, "--technique");
+    expectUsageError({"reference", "gap", "-o", "x.exr", "--quantity", "shadow", "--technique", idOf("ao")},
+                     "--truth own");
+    expectUsageError({"compare", "gap", "--technique", idOf("shadow"), "--truth", "T2", "-o", "x"}, "does not fit");
+    expectUsageError({"compare", "gap", "--technique", "ao/none", "--truth", "own", "-o", "x"}, "claims no integral");
 }
 
 TEST_F(Cli, SetChecksTechniqueParameterAndUse) {
@@ -381,17 +387,51 @@ TEST_F(Cli, ComparesOcclusionAndFilters) {
     ASSERT_EQ(result.code, 0) << result.err;
     const Json json = Json::parse(result.out);
     bool piped = false;
+    int own = 0;
     for (const Json& record : json["records"]) {
         const std::string family = record["family"];
         EXPECT_TRUE(record["light"].is_null());
         if (family == "ao") {
-            EXPECT_EQ(record["truth"]["kind"], "T1");
+            const std::string kind = record["truth"]["kind"];
+            EXPECT_TRUE(kind == "T1" || kind == "own") << kind;
+            own += kind == "own";
         } else {
             EXPECT_TRUE(record["truth"].is_null());
         }
         piped = piped || record["technique"].get<std::string>().find("+filter/") != std::string::npos;
     }
     EXPECT_TRUE(piped);
+    EXPECT_GT(own, 0);
+
+    // One kind instead, for a shadow, its occlusion and an edge filter's picture.
+    const Result area = run({"compare", "gap", "--technique", idOf("shadow"), "--technique", idOf("ao"), "--all", "aa",
+                             "--truth", "area", "-o", "area", "--size", "32x18", "--spp", "16", "--json"});
+    ASSERT_EQ(area.code, 0) << area.err;
+    for (const Json& record : Json::parse(area.out)["records"]) {
+        EXPECT_EQ(record["truth"]["kind"], "area");
+        EXPECT_FALSE(record["metrics"].contains("acne"));
+    }
+}
+
+TEST_F(Cli, TracesEveryKindOfTruth) {
+    const std::vector<std::vector<std::string>> questions = {
+        {"shadow", "shadow"}, {"shadow", "self"}, {"shadow", "area"},  {"ao", "T1"},
+        {"ao", "T2"},         {"ao", "T3"},       {"ao", "T4"},        {"ao", "T5"},
+        {"ao", "T5-ball"},    {"ao", "area"},     {"picture", "area"}, {"indirect"}};
+    for (const auto& question : questions) {
+        std::vector<std::string> arguments = {"reference", "gap", "-o",     "x.png",      "--size",   "16x9",
+                                              "--spp",     "8",   "--json", "--quantity", question[0]};
+        if (question.size() > 1) arguments.insert(arguments.end(), {"--truth", question[1]});
+        const Result result = run(arguments);
+        ASSERT_EQ(result.code, 0) << question[0] << ": " << result.err;
+        if (question.size() > 1) {
+            EXPECT_EQ(Json::parse(result.out)["truth"], question[1]);
+        }
+    }
+    const Result own = run({"reference", "gap", "-o", "x.exr", "--quantity", "ao", "--truth", "own", "--technique",
+                            idOf("ao"), "--size", "16x9", "--json"});
+    ASSERT_EQ(own.code, 0) << own.err;
+    EXPECT_EQ(Json::parse(own.out)["technique"], idOf("ao"));
 }
 
 TEST_F(Cli, InterruptKeepsWholeLinesAndExits130) {

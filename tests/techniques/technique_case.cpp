@@ -67,12 +67,18 @@ const ShadowTruth& Bench::shadow(const std::string& camera, const std::string& l
         .first->second;
 }
 
-const AoTruth& Bench::ao(const std::string& camera, int samples) {
-    const std::string key = camera + "|" + std::to_string(samples);
+const AoTruth& Bench::ao(const std::string& camera, int samples, const std::string& truth, const Pipeline& pipeline) {
+    ReferenceOptions options = optionsOf(samples);
+    options.kind = truthKindFromName(truth, Quantity::Ao);
+    const bool isOwn = options.kind == TruthKind::Own;
+    const std::string claimed = isOwn ? toString({pipeline.front()}) : "";
+    const std::string key = camera + "|" + std::to_string(samples) + "|" + truth + "|" + claimed;
     const auto known = m_ao.find(key);
     if (known != m_ao.end()) return known->second;
     const Camera& eye = m_scene.cameras[std::size_t(m_scene.cameraIndex(camera))];
-    return m_ao.emplace(key, m_reference.ao(receivers(camera), eye, optionsOf(samples))).first->second;
+    const std::unique_ptr<AoIntegrand> integrand = isOwn ? ownIntegrand(pipeline) : nullptr;
+    options.integrand = integrand.get();
+    return m_ao.emplace(key, m_reference.ao(receivers(camera), eye, options)).first->second;
 }
 
 RenderResult renderScene(const Scene& scene, const RenderSettings& settings) {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include <ombrage/reference.h>
 #include <ombrage/renderer.h>
+#include <nlohmann/json.hpp>
 
 namespace ombrage::test {
 
@@ -22,7 +22,9 @@ public:
 
     const Scene& scene() const { return m_scene; }
     const ShadowTruth& shadow(const std::string& camera, const std::string& light, int samples);
-    const AoTruth& ao(const std::string& camera, int samples);
+    /// @param truth "T1" to "T5" or "own"; @param pipeline whose integral "own" is
+    const AoTruth& ao(const std::string& camera, int samples, const std::string& truth = "T1",
+                      const Pipeline& pipeline = {});
     const Receivers& receivers(const std::string& camera);
 
     static Bench& of(const std::string& sceneName);

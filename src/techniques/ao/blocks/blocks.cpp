@@ -2,33 +2,9 @@
 // ao/blocks: occlusion from the depths around a pixel, weighted by angle and distance. See blocks.md.
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/ao/blocks/kernel.h"
+#include "techniques/ao/blocks/own.h"
 
 namespace ombrage {
-
-namespace blocks {
-
-enum class Rotation { None, Gradient, Hash, Tile };
-
-struct BlocksParams {
-    int samples = 32;
-    Offsets offsets = Offsets::Screen;
-    Distribution kernel = Distribution::Cosine;
-    Rotation rotation = Rotation::Gradient;
-    float radius_m = 0.0f;
-    float intensity = 7.0f;
-    float angle_rad = 1.2217305f;  // 70 degrees
-    float bias_m = 0.0f;
-
-    static ParamTable describe();
-};
-
-}  // namespace blocks
-
-template <>
-struct EnumChoices<blocks::Rotation> {
-    static std::vector<std::string> names() { return {"none", "gradient", "hash", "tile"}; }
-};
 
 namespace blocks {
 
@@ -99,6 +75,7 @@ OMBRAGE_TECHNIQUE(
                 "by those that rise over the tangent plane within the radius.",
      .papers = {"mittring2007", "blinn1978bump", "vogel1979", "jimenez2014noise"},
      .limits = "Sees only what the picture shows: no occluder behind the nearest surface or beyond the "
-               "picture's border, and the formula is no visibility, so its scale is fitted."})
+               "picture's border, and the formula is no visibility, so its scale is fitted.",
+     .integrand = integrandOf(&blocks::makeIntegrand)})
 
 }  // namespace ombrage
