@@ -9,6 +9,7 @@
 #include <ombrage/error.h>
 
 #include "core/strings.h"
+#include "core/trace.h"
 #include "gl/object_label.h"
 #include "gl/shader_source.h"
 
@@ -80,6 +81,7 @@ void attachStage(GLuint program, const ShaderStage& stage, const ExpandedSource&
 }
 
 Program build(const ShaderFiles& files, const ProgramDesc& desc, Dependencies& dependencies) {
+    const TraceScope trace("compile shaders", describe(desc));
     Program program(glCreateProgram());
     for (const ShaderStage& stage : desc.stages)
         attachStage(program.id(), stage, expandSource(files, stage.path, desc, dependencies), desc);
