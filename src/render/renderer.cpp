@@ -10,6 +10,7 @@
 #include "core/log.h"
 #include "core/trace.h"
 #include "gl/context.h"
+#include "gl/program_cache.h"
 #include "render/composer.h"
 #include "render/geometry_pass.h"
 #include "render/recorder.h"
@@ -30,6 +31,7 @@ struct Renderer::Impl {
     std::unique_ptr<gl::Context> context;
     DeviceInfo device;
     std::unique_ptr<gl::GpuTimer> timer;
+    std::unique_ptr<gl::ProgramCache> programs;
     std::unique_ptr<gl::ShaderLibrary> shaders;
 
     // Everything below holds GL objects and dies before the context, in reverse order.
@@ -90,7 +92,8 @@ const std::string& checkedShaderDir(const std::string& directory) {
 Renderer::Impl::Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options)
     : context(std::move(made)),
       timer(std::make_unique<gl::GpuTimer>()),
-      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir))) {
+      programs(std::make_unique<gl::ProgramCache>(options.cache)),
+      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir), programs.get())) {
     device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(),
               gl::clockName(timer->clock())};
     recorder.timer = timer.get();
