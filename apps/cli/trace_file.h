@@ -7,8 +7,8 @@
 
 namespace ombrage::cli {
 
-/// Traces while it lives and then writes the trace, whether the work was done, failed or was interrupted. From the start
-/// the file holds a whole document, an empty trace, so that one that a killed process leaves is valid too.
+/// Traces while it lives and then writes the trace, whether the work was done, failed or was interrupted. From the
+/// start the file holds a whole document, an empty trace, so that one that a killed process leaves is valid too.
 class TraceFile {
 public:
     /// @throws Error(Environment) when the file cannot be written.

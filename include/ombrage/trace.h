@@ -7,8 +7,8 @@
 
 namespace ombrage {
 
-/// Collects what the library does and when, in every thread, while it lives: scopes on the CPU and passes on the GPU. Off
-/// unless one is made; then every scope costs one look at a flag.
+/// Collects what the library does and when, in every thread, while it lives: scopes on the CPU and passes on the GPU.
+/// Off unless one is made; then every scope costs one look at a flag.
 class Trace {
 public:
     /// Beyond this many events the rest is counted, not kept.
@@ -20,9 +20,9 @@ public:
     Trace(const Trace&) = delete;
     Trace& operator=(const Trace&) = delete;
 
-    /// What has ended so far, as a whole JSON document in Chrome's trace-event format, which Perfetto and chrome://tracing
-    /// open. Times are microseconds since the trace was made. "otherData" holds the version, the device and the clock of
-    /// the GPU passes ("timestamp" or "wall"), and "dropped_events".
+    /// What has ended so far, as a whole JSON document in Chrome's trace-event format, which Perfetto and
+    /// chrome://tracing open. Times are microseconds since the trace was made. "otherData" holds the version, the
+    /// device and the clock of the GPU passes ("timestamp" or "wall"), and "dropped_events".
     std::string json() const;
 };
 
