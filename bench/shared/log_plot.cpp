@@ -71,9 +71,8 @@ std::string logPlot(const std::string& title, const std::string& xLabel, const s
     std::string svg = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
         "font-family=\"sans-serif\" font-size=\"11\">\n<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n"
-        "<clipPath id=\"p\"><rect x=\"{2}\" y=\"{3}\" width=\"{4}\" height=\"{5}\"/></clipPath>\n"
-        "<text x=\"{2}\" y=\"20\" font-size=\"13\">{6}</text>\n",
-        kWidth, kHeight, kLeft, kTop, kWidth - kRight - kLeft, kHeight - kBottom - kTop, title);
+        "<text x=\"{2}\" y=\"20\" font-size=\"13\">{3}</text>\n",
+        kWidth, kHeight, kLeft, title);
     for (const double tick : ticksOf(h))
         svg += fmt::format(
             "<path d=\"M{0:.1f} {1}V{2}\" stroke=\"#ddd\"/><text x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">"
@@ -89,12 +88,11 @@ std::string logPlot(const std::string& title, const std::string& xLabel, const s
     svg += fmt::format("<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\">{}</text>\n",
                        (kTop + kHeight - kBottom) / 2, yLabel);
 
-    // What is linear has this slope.
+    // What is linear has this slope, drawn down to where it leaves the paper.
     const double lastX = curves.front().x.back(), lastY = curves.front().y.back();
-    const double firstX = std::pow(10.0, h.lower), beyondX = std::pow(10.0, h.upper);
-    svg += fmt::format(
-        "<path clip-path=\"url(#p)\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\" stroke-dasharray=\"4 3\"/>\n",
-        h.at(firstX), v.at(lastY * firstX / lastX), h.at(beyondX), v.at(lastY * beyondX / lastX));
+    const double firstX = std::pow(10.0, std::max(h.lower, std::log10(lastX) - std::log10(lastY) + v.lower));
+    svg += fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#888\" stroke-dasharray=\"4 3\"/>\n",
+                       h.at(firstX), v.at(lastY * firstX / lastX), h.at(lastX), v.at(lastY));
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const Curve& curve = curves[i];
         const char* const color = kColors[i % std::size(kColors)];
