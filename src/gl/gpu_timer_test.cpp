@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 
+#include "core/trace.h"
 #include "gl/objects.h"
 #include "gl/shader_library.h"
 #include "gl_fixture.h"
@@ -106,6 +108,28 @@ TEST_F(GpuTimerTest, ForcedClockIsUsed) {
             timer.end();
             EXPECT_EQ(timer.take().size(), 1u);
         }
+    }
+}
+
+TEST_F(GpuTimerTest, TracesItsSpansOnTheSteadyClock) {
+    for (const Clock clock : {Clock::Timestamp, Clock::Wall}) {
+        GpuTimer timer(clock);
+        const Trace trace;
+        const std::int64_t before_ns = traceTime_ns();
+        timer.begin("traced span");
+        glFinish();
+        timer.end();
+        timer.take();
+        const double sinceStart_us = double(traceTime_ns() - before_ns) * 1e-3;
+        const std::string json = trace.json();
+        const std::size_t span = json.find("\"name\":\"traced span\"");
+        ASSERT_NE(span, std::string::npos) << clockName(clock);
+        EXPECT_NE(json.find(std::string("\"clock\":\"") + clockName(clock), span), std::string::npos);
+        // Times stand as "ts":NUMBER; on another clock's scale it would be the uptime, hours away. A second is room for
+        // a busy machine.
+        const double begin_us = std::strtod(json.c_str() + json.find("\"ts\":", span) + 5, nullptr);
+        EXPECT_GT(begin_us, -1e6);
+        EXPECT_LT(begin_us, sinceStart_us + 1e6);
     }
 }
 
