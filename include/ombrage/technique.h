@@ -29,6 +29,9 @@ struct Domain {
     bool alphaTest = true;  ///< sees the holes of alpha-tested casters
 };
 
+/// Whether a technique of this domain renders lights of the type at all.
+bool supports(const Domain& domain, LightType type);
+
 /// An intermediate picture that `render --show NAME` can write.
 struct PassInfo {
     std::string name;

@@ -97,7 +97,6 @@ Scene sceneOf(const Mesh& mesh) {
 TEST(SceneTraits, ABoxIsClosedUntilATriangleIsMissing) {
     Mesh mesh = box();
     EXPECT_TRUE(sceneTraits(sceneOf(mesh)).closedCasters);
-    EXPECT_FALSE(sceneTraits(sceneOf(mesh)).planarInstance[0]);
     mesh.indices.resize(33);
     EXPECT_FALSE(sceneTraits(sceneOf(mesh)).closedCasters);
     // What casts no shadow need not be closed.
@@ -123,7 +122,7 @@ TEST(SceneTraits, FindsPlanesAndAlphaTestedCasters) {
     Mesh mesh = box();
     mesh.indices.resize(6);  // one side: a square
     Scene scene = sceneOf(mesh);
-    EXPECT_TRUE(sceneTraits(scene).planarInstance[0]);
+    EXPECT_EQ(sceneTraits(scene).planarTriangle, std::vector<bool>(2, true));
     EXPECT_FALSE(sceneTraits(scene).alphaCasters);
     scene.materials[0].alphaMode = AlphaMode::Mask;
     EXPECT_TRUE(sceneTraits(scene).alphaCasters);
