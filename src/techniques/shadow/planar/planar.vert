@@ -23,6 +23,7 @@ void main() {
     precise vec4 shadow = lightHeight * vec4(p_world, 1.0) - height_m * u_toward;
     gl_Position = clipFromPosition(frame.clipFromWorld, shadow);
     // The shadow's w falls to 0 at the light's height. Above it the line meets the plane behind the light: an anti-shadow.
+    // With a reversed infinite far plane clip z is near * w, and the far plane alone cuts there too; no other projection does.
     gl_ClipDistance[0] = shadow.w;
     // What lies under the plane, or in it, shades no point of it.
     gl_ClipDistance[1] = height_m - u_tolerance_m;
