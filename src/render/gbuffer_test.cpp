@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <functional>
 
 #include <ombrage/reference.h>
@@ -7,6 +8,7 @@
 #include "render_fixture.h"
 #include "scene/camera_view.h"
 #include "scene/flat_scene.h"
+#include "scene/shapes.h"
 
 namespace ombrage {
 namespace {
@@ -101,6 +103,52 @@ TEST_F(GBufferTest, MeetsTheTruthForMirroredAndUnevenInstances) {
     expectTruth(scene, kFloat);
     scene.instances[0].worldFromLocal = glm::scale(glm::dmat4(1), {0.7, 1.2, -0.8}) * first;
     expectTruth(scene, kFloat);
+}
+
+Mesh box() {
+    Mesh mesh = shapes::box(glm::vec3(-1), glm::vec3(1));
+    mesh.tangents.assign(mesh.positions.size(), glm::vec4(1, 0, 0, 1));
+    return mesh;
+}
+
+/// Back faces of solids are not drawn, but for an eye inside of one; and mirrored instances, whose fronts are wound the
+/// other way, stay whole.
+TEST_F(GBufferTest, SolidsAreSeenFromWithinAndMirrored) {
+    Scene scene;
+    hand::add(scene, box(), hand::matte(glm::vec3(0.5f)));
+    scene.lights = {hand::sun({0, -1, -1}, 1)};
+    const auto skyPixels = [&](const glm::dvec3& eye, const glm::dvec3& target) {
+        scene.cameras = {hand::camera(eye, target)};
+        const RenderResult result = render(scene, show({}));
+        return std::count(result.triangle.begin(), result.triangle.end(), kNoHit);
+    };
+    EXPECT_EQ(skyPixels({0, 0, 0}, {1, 0.2, 0.3}), 0) << "from within there are walls all around";
+    const auto outside = skyPixels({3, 1, 4}, {0, 0, 0});
+    EXPECT_GT(outside, kWidth * kHeight / 4);
+    EXPECT_LT(outside, kWidth * kHeight * 9 / 10);
+    scene.instances[0].worldFromLocal = glm::scale(glm::dmat4(1), {-1, 1, 1});
+    EXPECT_EQ(skyPixels({3, 1, 4}, {0, 0, 0}), outside);
+}
+
+/// A light inside of a solid has its back faces for casters.
+TEST_F(GBufferTest, ALampInABoxLightsNothingOutside) {
+    Scene scene;
+    hand::add(scene, box(), hand::matte(glm::vec3(0.5f)));
+    Mesh floor = shapes::floor(20, -1.5f);
+    floor.tangents.assign(floor.positions.size(), glm::vec4(1, 0, 0, 1));
+    hand::add(scene, floor, hand::matte(glm::vec3(0.5f)));
+    scene.lights = {hand::at(LightType::Point, {0, 0, 0}, {0, -1, 0}, 10)};
+    scene.cameras = {hand::camera({4, 3, 5}, {0, -1, 0})};
+    RenderSettings settings = show({});
+    settings.shadow = parsePipeline(Family::Shadow, "map");
+    const RenderResult result = render(scene, settings);
+    std::size_t floorPixels = 0;
+    for (std::size_t i = 0; i < result.instance.size(); ++i) {
+        if (result.instance[i] != 1) continue;
+        ++floorPixels;
+        EXPECT_EQ(result.visibility.at(0).plane(0)[i], 0.0f) << "pixel " << i;
+    }
+    EXPECT_GT(floorPixels, std::size_t(kWidth * kHeight / 10));
 }
 
 /// Row 0 is the top row and column 0 the left one: a wall in the upper left quarter of the picture.

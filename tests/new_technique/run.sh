@@ -66,9 +66,9 @@ grep -q "did you mean 'gain'" <<<"$message" || fail "no suggestion: $message"
 generator_program="$(find "$build" -name ombrage_docs -type f | head -1)"
 "$generator_program" "$copy" "$work/docs" >"$work/log" 2>&1 || { cat "$work/log"; fail "the manual is not made"; }
 for page in shadow-zz-dummy ao-zz-dummy; do
-  grep -q '^| `strength` |' "$work/docs/$page.md" && grep -q '^| `gain` |' "$work/docs/$page.md" || fail "the manual lacks rows in $page.md"
+  grep -q '^| `strength` |' "$work/docs/techniques/$page.md" && grep -q '^| `gain` |' "$work/docs/techniques/$page.md" || fail "the manual lacks rows in $page.md"
 done
-grep -q 'shadow-zz-dummy.md' "$work/docs/README.md" || fail "the manual's index lacks the page"
+grep -q 'shadow-zz-dummy.md' "$work/docs/techniques/README.md" || fail "the manual's index lacks the page"
 
 # The tests that every technique passes take them up, and they pass.
 tests="$(find "$build" -name ombrage_technique_tests -type f | head -1)"

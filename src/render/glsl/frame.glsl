@@ -29,10 +29,6 @@ vec3 positionViewFromDepth(vec2 uv, float depth) {
     return vec3(isOrthographic() ? plane : plane * distance_m, -distance_m);
 }
 
-vec3 positionWorldFromDepth(vec2 uv, float depth) {
-    return (frame.worldFromView * vec4(positionViewFromDepth(uv, depth), 1.0)).xyz;
-}
-
 // World position from the ray that ombrage/fullscreen.vert hands over.
 vec3 positionOnRay(vec3 rayStart, vec3 rayAlong, float depth) { return rayStart + rayAlong * viewDepthFromDepth(depth); }
 

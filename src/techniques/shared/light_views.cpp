@@ -184,8 +184,10 @@ void LightViews::setUniforms(const gl::Program& program) const {
     program.set("u_viewRight", right, count);
     program.set("u_viewUp", up, count);
     program.set("u_viewForward", forward, count);
-    program.set("u_viewCount", count);
-    program.set("u_viewPerspective", perspective ? 1 : 0);
+}
+
+std::vector<std::pair<std::string, std::string>> LightViews::defines() const {
+    return {{"LIGHT_VIEWS", std::to_string(views.size())}, {"LIGHT_PERSPECTIVE", perspective ? "1" : "0"}};
 }
 
 }  // namespace ombrage

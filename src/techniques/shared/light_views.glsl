@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: MIT
-// The views of one light: techniques/shared/light_views.h.
-uniform vec4 u_viewOrigin[6];    // xyz, w far
-uniform vec4 u_viewRight[6];     // xyz, w half extent
-uniform vec4 u_viewUp[6];        // xyz, w half extent
-uniform vec4 u_viewForward[6];   // xyz, w near
-uniform int u_viewCount;
-uniform int u_viewPerspective;
+// The views of one light: techniques/shared/light_views.h. LIGHT_VIEWS: 1 or 6; LIGHT_PERSPECTIVE: 0 or 1. Both are known to the
+// compiler, so that a single view costs no indexing.
+uniform vec4 u_viewOrigin[LIGHT_VIEWS];    // xyz, w far
+uniform vec4 u_viewRight[LIGHT_VIEWS];     // xyz, w half extent
+uniform vec4 u_viewUp[LIGHT_VIEWS];        // xyz, w half extent
+uniform vec4 u_viewForward[LIGHT_VIEWS];   // xyz, w near
 
 // Which of the views sees a point: the only one, or the cube face of its largest coordinate (+x -x +y -y +z -z).
 int lightViewOf(vec3 p_world) {
-    if (u_viewCount == 1) return 0;
+#if LIGHT_VIEWS == 1
+    return 0;
+#else
     vec3 d = p_world - u_viewOrigin[0].xyz;
     vec3 a = abs(d);
     if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0 : 1;
     if (a.y >= a.z) return d.y >= 0.0 ? 2 : 3;
     return d.z >= 0.0 ? 4 : 5;
+#endif
 }
 
 // Coordinates in the map, [0,1] inside, and the distance along the view's axis.
@@ -22,7 +24,7 @@ vec2 lightViewUv(int view, vec3 p_world, out float distance_m) {
     vec3 d = p_world - u_viewOrigin[view].xyz;
     distance_m = dot(d, u_viewForward[view].xyz);
     vec2 xy = vec2(dot(d, u_viewRight[view].xyz), dot(d, u_viewUp[view].xyz)) / vec2(u_viewRight[view].w, u_viewUp[view].w);
-    if (u_viewPerspective != 0) xy /= distance_m;
+    if (LIGHT_PERSPECTIVE != 0) xy /= distance_m;
     return xy * 0.5 + 0.5;
 }
 
@@ -33,7 +35,7 @@ float lightViewPlaneDistance(int view, vec2 uv, vec3 p_world, vec3 n_world, floa
     vec3 lateral = u_viewRight[view].xyz * xy.x + u_viewUp[view].xyz * xy.y;
     vec3 start = u_viewOrigin[view].xyz;
     vec3 direction = u_viewForward[view].xyz;
-    if (u_viewPerspective != 0) direction += lateral; else start += lateral;
+    if (LIGHT_PERSPECTIVE != 0) direction += lateral; else start += lateral;
     float slope = dot(n_world, direction);
     if (abs(slope) < 1e-6) return otherwise;
     return dot(n_world, p_world - start) / slope;
@@ -42,18 +44,18 @@ float lightViewPlaneDistance(int view, vec2 uv, vec3 p_world, vec3 n_world, floa
 // World size of a texel, across the light's rays.
 float lightViewTexel(int view, float distance_m, float resolution) {
     float texel = 2.0 * max(u_viewRight[view].w, u_viewUp[view].w) / resolution;
-    return u_viewPerspective != 0 ? texel * distance_m : texel;
+    return LIGHT_PERSPECTIVE != 0 ? texel * distance_m : texel;
 }
 
 // What the map holds at a distance along the axis.
 float lightViewDepth(int view, float distance_m) {
     float near_m = u_viewForward[view].w, far_m = u_viewOrigin[view].w;
-    if (u_viewPerspective != 0) return distance_m > near_m ? near_m / distance_m : 1.0;
+    if (LIGHT_PERSPECTIVE != 0) return distance_m > near_m ? near_m / distance_m : 1.0;
     return (far_m - distance_m) / (far_m - near_m);
 }
 
 // Smallest difference of distances that the map can tell at a distance: a few units in the last place of its float depth.
 float lightViewPrecision(int view, float distance_m) {
-    float range = u_viewPerspective != 0 ? distance_m : u_viewOrigin[view].w - u_viewForward[view].w;
+    float range = LIGHT_PERSPECTIVE != 0 ? distance_m : u_viewOrigin[view].w - u_viewForward[view].w;
     return range * 4e-7;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -34,6 +36,8 @@ struct LightViews {
 
     /// Sets the uniforms of shared/light_views.glsl.
     void setUniforms(const gl::Program& program) const;
+    /// What the program that includes it is compiled for.
+    std::vector<std::pair<std::string, std::string>> defines() const;
 };
 
 /// What an orthographic view covers.

@@ -135,7 +135,7 @@ private:
         const auto pass = frame.pass("shadow map lookup");
         const gl::Framebuffer target({{&visibility}}, {&frame.gbuffer->depth}, "shadow/map");
         target.bind();
-        const gl::Program& program = frame.fullscreenProgram(*this, "shadow/map/map.frag");
+        const gl::Program& program = frame.fullscreenProgram(*this, "shadow/map/map.frag", m_views->defines());
         m_views->setUniforms(program);
         frame.bindGBuffer();
         m_map.bind(kFirstFreeUnit);

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Frame times of Ombrage beside other renderers on one scene, by turns in one run.
+
+usage: bench/peers.py FOLDER [--program build/release/bin/ombrage_bench_frames] [--rounds 5] [--frames 12] [--out results.json]
+
+FOLDER holds a program per renderer, FOLDER/NAME/run.sh SCENE.bin WIDTH HEIGHT TECHNIQUE FRAMES, which prints a JSON line with
+"ms_median", the time of a whole finished frame, and FOLDER/scene/scene.bin: 'PSCN', four uint32 (vertices, triangles, and
+how many of each belong to the ground, which casts nothing), then float positions, float normals, uint32 corners.
+Renderers that are not there, or fail, are left out and named. Figures are medians over the rounds; "added" is over
+the same renderer's "none" in the same round.
+"""
+import argparse
+import json
+import pathlib
+import statistics
+import struct
+import subprocess
+import sys
+
+PEERS = {
+    "osg": ["none", "ShadowMap"],
+    "three": ["none", "Basic"],
+    "ogre": ["none", "texture_additive", "stencil_additive"],
+}
+OURS = {"none": "none", "map": "map:resolution=2048,cache=false", "volume-zfail": "volume-zfail"}
+SIZE = (1280, 720)
+
+
+def write_scene(binary, folder):
+    """The same scene as two models and a scene file."""
+    data = binary.read_bytes()
+    if data[:4] != b"PSCN":
+        sys.exit(f"{binary}: not a PSCN file")
+    vertices, triangles, ground_vertices, ground_triangles = struct.unpack("<4I", data[4:20])
+    floats = struct.unpack(f"<{6 * vertices}f", data[20:20 + 24 * vertices])
+    positions, normals = floats[:3 * vertices], floats[3 * vertices:]
+    corners = struct.unpack(f"<{3 * triangles}I", data[20 + 24 * vertices:20 + 24 * vertices + 12 * triangles])
+
+    def model(name, color, v0, v1, t0, t1):
+        (folder / f"{name}.mtl").write_text(f"newmtl m\nKd {color}\nKs 0 0 0\n")
+        with open(folder / f"{name}.obj", "w") as file:
+            file.write(f"mtllib {name}.mtl\nusemtl m\n")
+            for keyword, values in (("v", positions), ("vn", normals)):
+                for i in range(v0, v1):
+                    file.write("%s %.9g %.9g %.9g\n" % (keyword, *values[3 * i:3 * i + 3]))
+            for i in range(t0, t1):
+                file.write("f " + " ".join(f"{c - v0 + 1}//{c - v0 + 1}" for c in corners[3 * i:3 * i + 3]) + "\n")
+
+    model("ground", ".8 .8 .8", 0, ground_vertices, 0, ground_triangles)
+    model("casters", ".8 .55 .35", ground_vertices, vertices, ground_triangles, triangles)
+    scene = {"name": "peers",
+             "models": [{"file": "ground.obj", "casts": False}, {"file": "casters.obj"}],
+             "lights": [{"type": "sun", "direction": [-40, -70, -25], "intensity": 2.5}],
+             "cameras": [{"name": "main", "position": [45, 32, 62], "target": [0, 0, 0], "fov_deg": 45}],
+             "ambient": 0.25}
+    path = folder / "scene.json"
+    path.write_text(json.dumps(scene))
+    return path
+
+
+def run_peer(folder, name, technique, frames):
+    command = [folder / name / "run.sh", folder / "scene/scene.bin", *map(str, SIZE), technique, str(frames), folder / "scene/ombrage/peer.png"]
+    try:
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300)
+        lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
+        return json.loads(lines[-1])["ms_median"] if lines else None
+    except (OSError, subprocess.TimeoutExpired, ValueError, KeyError):
+        return None
+
+
+def run_ours(program, scene, frames):
+    command = [program, scene, "--yardstick", "--json", "--rounds", "1", "--frames", str(frames)]
+    for technique in OURS.values():
+        command += ["--shadow", technique]
+    result = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    names = ["loop none", "loop hard", *OURS]
+    return {name: subject["ms_median"] for name, subject in zip(names, result["subjects"])}, result["renderer"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--program", type=pathlib.Path, default=pathlib.Path("build/release/bin/ombrage_bench_frames"))
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--frames", type=int, default=12)
+    parser.add_argument("--out", type=pathlib.Path)
+    options = parser.parse_args()
+
+    folder = options.folder.resolve()
+    scratch = folder / "scene/ombrage"
+    scratch.mkdir(exist_ok=True)
+    scene = write_scene(folder / "scene/scene.bin", scratch)
+    rounds, device = [], ""
+    for number in range(options.rounds):
+        times, device = run_ours(options.program, scene, options.frames)
+        for name, techniques in PEERS.items():
+            for technique in techniques:
+                times[f"{name} {technique}"] = run_peer(folder, name, technique, options.frames)
+        rounds.append(times)
+        print(f"round {number + 1} of {options.rounds}", file=sys.stderr)
+
+    def over(a, b):
+        ratios = [r[a] / r[b] for r in rounds if r.get(a) and r.get(b)]
+        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}]" if ratios else "not measured"
+
+    def added_over(a, a0, b, b0):
+        ratios = [(r[a] - r[a0]) / (r[b] - r[b0]) for r in rounds if all(r.get(k) for k in (a, a0, b, b0)) and r[b] > r[b0]]
+        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}]" if ratios else "not measured"
+
+    print(f"{SIZE[0]}x{SIZE[1]}, {device}, {options.rounds} rounds of {options.frames} frames\n")
+    print("| what | ms, median |\n|---|---|")
+    for name in rounds[0]:
+        values = [r[name] for r in rounds if r.get(name)]
+        print(f"| {name} | {statistics.median(values):.1f} |" if values else f"| {name} | not measured |")
+    print("\n| ratio | median [least .. most] | asked for |\n|---|---|---|")
+    print(f"| none / minimal loop none | {over('none', 'loop none')} | 1.0 |")
+    print(f"| map / OSG ShadowMap, total | {over('map', 'osg ShadowMap')} | 1.0 |")
+    print(f"| map / OSG ShadowMap, added | {added_over('map', 'none', 'osg ShadowMap', 'osg none')} | 1.0 |")
+    print(f"| map / three.js Basic, total | {over('map', 'three Basic')} | 1.0 |")
+    print(f"| map / three.js Basic, added | {added_over('map', 'none', 'three Basic', 'three none')} | 1.0 |")
+    print(f"| map / OGRE texture shadows, total | {over('map', 'ogre texture_additive')} | 1.2 |")
+    print(f"| volume-zfail / OGRE stencil additive, added "
+          f"| {added_over('volume-zfail', 'none', 'ogre stencil_additive', 'ogre none')} | 1.0 |")
+    if options.out:
+        options.out.write_text(json.dumps({"device": device, "size": SIZE, "frames": options.frames, "rounds": rounds}, indent=1))
+
+
+if __name__ == "__main__":
+    main()
