@@ -27,7 +27,7 @@ struct PlanarSurfaces {
 /// A plane counts when its triangles hold this share of the area of all instances that receive shadows.
 inline constexpr double kLeastPlanarShare = 1.0 / 50;
 
-/// How far a corner may lie off its plane: what rounding positions to float and back may move it, times a few.
+/// How far a corner may lie off its plane: 8 roundings to float of the largest coordinate.
 double planeTolerance_m(const FlatScene& flat);
 
 /// Whether the three corners lie in the plane, to the tolerance.
