@@ -25,7 +25,7 @@ struct Domain {
     bool sun = true, spot = true, point = true, rect = true;  ///< light types that it renders at all
     bool soft = false;  ///< shows the light's real size; a hard one takes the light's centre
     bool closedCastersOnly = false;
-    bool planarReceiversOnly = false;
+    bool planarReceiversOnly = false;  ///< surfaces in large planes of the scene alone (docs/user/metrics.md)
     bool alphaTest = true;  ///< sees the holes of alpha-tested casters
 };
 
