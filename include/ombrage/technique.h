@@ -26,7 +26,7 @@ struct Domain {
     bool soft = false;  ///< shows the light's real size; a hard one takes the light's centre
     bool closedCastersOnly = false;
     bool planarReceiversOnly = false;  ///< surfaces in large planes of the scene alone (docs/user/metrics.md)
-    bool alphaTest = true;  ///< sees the holes of alpha-tested casters
+    bool alphaTest = true;             ///< sees the holes of alpha-tested casters
 };
 
 /// Whether a technique of this domain renders lights of the type at all.
