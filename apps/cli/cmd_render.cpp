@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.h"
 #include "progress.h"
+#include "trace_file.h"
 
 namespace ombrage::cli {
 
@@ -72,6 +74,8 @@ int runRender(const Options& options) {
                     "name a folder with -o");
     if (show != "final" && !listing) settings.show = {show};
 
+    std::optional<TraceFile> trace;
+    if (options.has("trace")) trace.emplace(options.text("trace"));
     const Scene scene = loadScene(sceneName, sceneOptions(options));
     for (const std::string& warning : scene.warnings) printMessage("warning: " + warning);
     // A scene may say what it is meant for; another choice warns and goes on. Baselines are no choice.
@@ -93,6 +97,7 @@ int runRender(const Options& options) {
         const bool wantsNumbers = std::filesystem::path(file).extension() == ".exr";
         writeImage(file, show == "final" ? result.picture : (wantsNumbers ? result.shownRaw : result.shown).at(show));
     }
+    if (trace) trace->close();
     if (options.flag("json"))
         printResult(resultJson(file, scene, settings, result, renderer.device())
                         .dump(2, ' ', false, Json::error_handler_t::replace) +
@@ -112,7 +117,8 @@ Command renderCommand() {
     return {"render",
             "Renders a scene to a picture",
             {"gap -o out.png --shadow " + shadow, "cornell -o ao.png --show ao --ao " + ao + " --filter " + filter,
-             "model.obj --ground --size 1280x720 -o out.exr", "gap --shadow " + shadow + " --show list"},
+             "model.obj --ground --size 1280x720 -o out.exr", "gap --shadow " + shadow + " --show list",
+             "gap -o out.png --shadow " + shadow + " --frames 3 --trace trace.json"},
             [](Options& options) {
                 options.add("scene", "a built-in scene, a scene file (.json) or a model file");
                 options.add("-o,--output", "FILE.png, .jpg (as displayed) or .exr (the linear numbers)");
@@ -121,6 +127,9 @@ Command renderCommand() {
                             "the picture to write: final, visibility, ao, indirect, depth, normal, position, albedo or "
                             "a pass; 'list' names them, 'all' writes each into the folder -o (final)");
                 options.add("--frames", "N: frames to render; the last one is written (1)");
+                options.add("--trace",
+                            "FILE.json: what was done and when, on the CPU and the GPU, for ui.perfetto.dev or "
+                            "chrome://tracing");
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);
             },

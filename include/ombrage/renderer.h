@@ -29,6 +29,9 @@ struct RendererOptions {
     std::string device;       ///< "" best with fallback, "software", or an EGL device index
     std::string shaderDir;    ///< read shaders from here instead of the embedded ones
     bool debugContext = false;///< a KHR_debug context; messages end in RenderResult::debugMessages
+    /// Folder of programs compiled by earlier runs; empty: $OMBRAGE_CACHE, else the user's cache folder; "off": none.
+    /// Not used where the driver hands none out.
+    std::string cache = "";
 };
 
 /// What to render. Lists of techniques are pipelines: each element feeds the next.

@@ -14,6 +14,7 @@
 #include "core/image_exr.h"
 #include "core/image_pcx.h"
 #include "core/strings.h"
+#include "core/trace.h"
 
 namespace ombrage {
 
@@ -131,6 +132,7 @@ Image readImage(const std::filesystem::path& file) {
 }
 
 std::vector<unsigned char> encodePng(const Image& image) {
+    const TraceScope trace("encode PNG");
     const int channels = displayChannels(image);
     const std::vector<unsigned char> pixels = to8Bit(image, channels);
     std::vector<unsigned char> bytes;
@@ -141,6 +143,7 @@ std::vector<unsigned char> encodePng(const Image& image) {
 }
 
 void writeImage(const std::filesystem::path& file, const Image& image) {
+    const TraceScope trace("write image", file.string());
     const std::string extension = toLower(file.extension().string());
     if (file.has_parent_path()) {
         std::error_code failure;

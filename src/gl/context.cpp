@@ -12,6 +12,7 @@
 #include <ombrage/error.h>
 
 #include "core/strings.h"
+#include "core/trace.h"
 #include "gl/egl_context.h"
 
 namespace ombrage::gl {
@@ -130,6 +131,7 @@ Context::Context() : m_impl(std::make_unique<Impl>()) {}
 Context::~Context() = default;
 
 std::unique_ptr<Context> Context::createHeadless(const ContextOptions& options) {
+    const TraceScope trace("create context");
     std::unique_ptr<Context> context(new Context());
     Impl& impl = *context->m_impl;
     impl.egl = EglContext::create(options, impl.trace, impl.warnings);

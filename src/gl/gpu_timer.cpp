@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <ombrage/error.h>
 
+#include "core/trace.h"
 #include "gl/context.h"
 #include "gl/objects.h"
 #include "gl/shader_library.h"
@@ -132,6 +133,7 @@ Figures measure(const KnownLoad& load, Timestamps& timestamps, int iterations) {
 }
 
 SelfCheck checkClocks() {
+    const TraceScope trace("check clocks");
     const StateGuard guard;
     const KnownLoad load;
     Timestamps timestamps;
@@ -185,6 +187,15 @@ struct GpuTimer::Impl {
     SteadyClock::time_point start;
 };
 
+namespace {
+/// What turns the GPU's timestamps into times of the steady clock: the difference of the two now.
+std::int64_t steadyFromGpu_ns() {
+    GLint64 gpu_ns = 0;
+    glGetInteger64v(GL_TIMESTAMP, &gpu_ns);
+    return traceTime_ns() - gpu_ns;
+}
+}  // namespace
+
 GpuTimer::GpuTimer() : m_impl(std::make_unique<Impl>(checkClocks())) {}
 
 GpuTimer::GpuTimer(Clock forced)
@@ -223,18 +234,27 @@ void GpuTimer::end() {
     } else {
         glFinish();
         span.time_ms = elapsed_ms(m_impl->start);
+        if (isTracing()) {
+            const std::int64_t now_ns = traceTime_ns();
+            traceGpuSpan(span.name, now_ns - std::int64_t(span.time_ms * 1e6), now_ns, clockName(Clock::Wall));
+        }
     }
 }
 
 std::vector<GpuTimer::Span> GpuTimer::take() {
     assert(!m_impl->isOpen);
     std::vector<Span> spans;
+    const bool traced = m_impl->clock == Clock::Timestamp && !m_impl->pending.empty() && isTracing();
+    const std::int64_t toSteady_ns = traced ? steadyFromGpu_ns() : 0;
     for (const Impl::Pending& span : m_impl->pending) {
         double time_ms = span.time_ms;
         if (m_impl->clock == Clock::Timestamp) {
             const GLuint64 begin_ns = m_impl->timestamps.collect(span.begin);
             const GLuint64 end_ns = m_impl->timestamps.collect(span.end);
             time_ms = double(GLint64(end_ns - begin_ns)) * 1e-6;
+            if (traced)
+                traceGpuSpan(span.name, std::int64_t(begin_ns) + toSteady_ns, std::int64_t(end_ns) + toSteady_ns,
+                             clockName(Clock::Timestamp));
         }
         spans.push_back({span.name, time_ms});
     }

@@ -2,6 +2,7 @@
 #include "gl/shader_library.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -9,7 +10,9 @@
 #include <ombrage/error.h>
 
 #include "core/strings.h"
+#include "core/trace.h"
 #include "gl/object_label.h"
+#include "gl/program_cache.h"
 #include "gl/shader_source.h"
 
 namespace ombrage::gl {
@@ -62,11 +65,16 @@ std::string firstPlace(const std::string& log) {
     return end != std::string::npos && place.find(':') != std::string::npos ? place : std::string();
 }
 
-// Compiles one stage and attaches it. The program keeps the shader alive: Program looks names up in its source.
-void attachStage(GLuint program, const ShaderStage& stage, const ExpandedSource& source, const ProgramDesc& desc) {
+// Attaches one stage. The program keeps the shader alive: Program looks names up in its source.
+void attachStage(GLuint program, const ShaderStage& stage, const ExpandedSource& source, const ProgramDesc& desc,
+                 bool compile) {
     const ShaderName shader(stage.stage);
     const char* text = source.text.c_str();
     glShaderSource(shader.id, 1, &text, nullptr);
+    if (!compile) {
+        glAttachShader(program, shader.id);
+        return;
+    }
     glCompileShader(shader.id);
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id, GL_COMPILE_STATUS, &compiled);
@@ -79,10 +87,40 @@ void attachStage(GLuint program, const ShaderStage& stage, const ExpandedSource&
     glAttachShader(program, shader.id);
 }
 
-Program build(const ShaderFiles& files, const ProgramDesc& desc, Dependencies& dependencies) {
+#ifdef NDEBUG
+constexpr bool kKeepsSources = false;
+#else
+constexpr bool kKeepsSources = true;
+#endif
+
+// From the cache: nothing is compiled, and the sources are attached only where assertions look names up in them.
+std::optional<Program> fromCache(const ProgramCache* cache, const ProgramDesc& desc,
+                                 const std::vector<ExpandedSource>& expanded, const std::vector<StageSource>& stages) {
+    if (cache == nullptr || !cache->isOn()) return std::nullopt;
+    const TraceScope trace("look in the program cache", isTracing() ? describe(desc) : std::string());
     Program program(glCreateProgram());
-    for (const ShaderStage& stage : desc.stages)
-        attachStage(program.id(), stage, expandSource(files, stage.path, desc, dependencies), desc);
+    if (!cache->load(program.id(), stages)) return std::nullopt;
+    for (std::size_t i = 0; kKeepsSources && i < stages.size(); ++i)
+        attachStage(program.id(), desc.stages[i], expanded[i], desc, false);
+    labelObject(GL_PROGRAM, program.id(), describe(desc).c_str());
+    return program;
+}
+
+Program build(const ShaderFiles& files, const ProgramCache* cache, const ProgramDesc& desc,
+              Dependencies& dependencies) {
+    std::vector<ExpandedSource> expanded;
+    std::vector<StageSource> stages;
+    for (const ShaderStage& stage : desc.stages) {
+        expanded.push_back(expandSource(files, stage.path, desc, dependencies));
+        stages.push_back({stage.stage, expanded.back().text});
+    }
+    if (std::optional<Program> kept = fromCache(cache, desc, expanded, stages)) return std::move(*kept);
+
+    const TraceScope trace("compile shaders", isTracing() ? describe(desc) : std::string());
+    Program program(glCreateProgram());
+    for (std::size_t i = 0; i < desc.stages.size(); ++i)
+        attachStage(program.id(), desc.stages[i], expanded[i], desc, true);
+    if (cache != nullptr) cache->prepare(program.id());
     glLinkProgram(program.id());
     GLint linked = GL_FALSE;
     glGetProgramiv(program.id(), GL_LINK_STATUS, &linked);
@@ -91,6 +129,7 @@ Program build(const ShaderFiles& files, const ProgramDesc& desc, Dependencies& d
                     fmt::format("{} does not link:\n{}", describe(desc), mapLog(programLog(program.id()), {})),
                     kCompileHint);
     labelObject(GL_PROGRAM, program.id(), describe(desc).c_str());
+    if (cache != nullptr) cache->store(program.id(), stages);
     return program;
 }
 
@@ -117,16 +156,18 @@ struct ShaderLibrary::Impl {
         Dependencies dependencies;
     };
 
-    explicit Impl(std::string directory) : files(std::move(directory)) {}
+    Impl(std::string directory, const ProgramCache* kept) : files(std::move(directory)), cache(kept) {}
 
     void remember(const Dependencies& dependencies) { stamps.insert(dependencies.begin(), dependencies.end()); }
 
     ShaderFiles files;
+    const ProgramCache* cache;
     std::map<ProgramDesc, Entry> programs;
     Dependencies stamps;
 };
 
-ShaderLibrary::ShaderLibrary(std::string directory) : m_impl(std::make_unique<Impl>(std::move(directory))) {}
+ShaderLibrary::ShaderLibrary(std::string directory, const ProgramCache* cache)
+    : m_impl(std::make_unique<Impl>(std::move(directory), cache)) {}
 
 ShaderLibrary::~ShaderLibrary() = default;
 
@@ -134,7 +175,7 @@ const Program& ShaderLibrary::program(const ProgramDesc& desc) {
     const auto known = m_impl->programs.find(desc);
     if (known != m_impl->programs.end()) return known->second.program;
     Impl::Entry entry;
-    entry.program = build(m_impl->files, desc, entry.dependencies);
+    entry.program = build(m_impl->files, m_impl->cache, desc, entry.dependencies);
     m_impl->remember(entry.dependencies);
     return m_impl->programs.emplace(desc, std::move(entry)).first->second.program;
 }
@@ -154,7 +195,7 @@ std::vector<std::string> ShaderLibrary::reload() {
         if (std::none_of(entry.dependencies.begin(), entry.dependencies.end(), isChanged)) continue;
         Dependencies dependencies;
         try {
-            entry.program = build(m_impl->files, desc, dependencies);
+            entry.program = build(m_impl->files, m_impl->cache, desc, dependencies);
             entry.dependencies = dependencies;
         } catch (const Error& error) {
             // Keep the old program. Its old sources still count, and so do those that the failed one reached for.

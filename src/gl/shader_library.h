@@ -57,6 +57,8 @@ struct ProgramDesc {
     bool operator<(const ProgramDesc& other) const;
 };
 
+class ProgramCache;
+
 /// Sources by path, #include, variants by define, and the cache of programs.
 ///
 /// Paths: "ombrage/NAME" are src/render/glsl, "shared/NAME" are src/techniques/shared, "FAMILY/NAME/FILE" are technique
@@ -66,7 +68,8 @@ struct ProgramDesc {
 class ShaderLibrary {
 public:
     /// @param directory "" for the embedded sources
-    explicit ShaderLibrary(std::string directory = {});
+    /// @param cache compiled programs of earlier runs, if not null; it outlives the library
+    explicit ShaderLibrary(std::string directory = {}, const ProgramCache* cache = nullptr);
     ~ShaderLibrary();
 
     /// Compiles at first use. The reference stays valid for the library's life; a hot reload changes the program behind

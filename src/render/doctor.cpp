@@ -7,6 +7,7 @@
 #include "core/strings.h"
 #include "gl/context.h"
 #include "gl/gpu_timer.h"
+#include "gl/program_cache.h"
 #include "gl/shader_library.h"
 
 namespace ombrage {
@@ -43,6 +44,14 @@ std::vector<DoctorCheck> runDoctor(const RendererOptions& options) {
         add("clock", timer.clock() == gl::Clock::Timestamp ? "ok" : "fallback",
             std::string(gl::clockName(timer.clock())) + ": " + timer.verdict());
 
+        const gl::ProgramCache programs(options.cache);
+        if (programs.isOn())
+            add("program cache", "ok", programs.folder().string());
+        else
+            add("program cache", "ok",
+                gl::offersProgramBinaries() ? "off"
+                                            : "not in use: the driver hands out no compiled programs; its own cache "
+                                              "may still keep them");
         gl::ShaderLibrary shaders(options.shaderDir);
         shaders.program({{{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/depth_only.frag"}}, {}, {}});
         add("shaders", "ok", fmt::format("{} files, a program compiles", gl::ShaderLibrary::embeddedPaths().size()));

@@ -16,9 +16,11 @@ glm::vec4 LightFrame::toward() const {
 FrameContext::Pass::Pass(FrameContext& frame, const std::string& name) : m_frame(frame), m_group(name.c_str()) {
     frame.recorder->passes.push_back({name});
     if (frame.recorder->timesPasses) frame.recorder->timer->begin(name);
+    m_trace.emplace(name);
 }
 
 FrameContext::Pass::~Pass() {
+    m_trace.reset();
     if (m_frame.recorder->timesPasses) m_frame.recorder->timer->end();
 }
 

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include <ombrage/renderer.h>
+#include <ombrage/trace.h>
 
 #include "gl/gpu_timer.h"
 #include "gl/objects.h"
@@ -83,6 +85,7 @@ public:
     private:
         FrameContext& m_frame;
         gl::DebugGroup m_group;
+        std::optional<TraceScope> m_trace;  ///< the CPU's side: without the wall clock's waiting for the GPU
     };
     Pass pass(const std::string& name) { return Pass(*this, name); }
 

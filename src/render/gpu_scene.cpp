@@ -9,6 +9,7 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/packing.hpp>
 
+#include "core/trace.h"
 #include "render/frame_context.h"
 #include "scene/solidity.h"
 
@@ -63,11 +64,24 @@ std::array<int, 5> textureSet(const Material& m) {
 
 }  // namespace
 
-GpuScene::GpuScene(const Scene& scene) : m_scene(&scene), m_flat(flatten(scene)), m_bounds(scene.bounds()) {
-    uploadMeshes();
-    uploadTriangles();
-    uploadInstances();
-    uploadMaterials();
+namespace {
+FlatScene traced(const Scene& scene) {
+    const TraceScope trace("flatten");
+    return flatten(scene);
+}
+}  // namespace
+
+GpuScene::GpuScene(const Scene& scene) : m_scene(&scene), m_flat(traced(scene)), m_bounds(scene.bounds()) {
+    {
+        const TraceScope trace("upload geometry");
+        uploadMeshes();
+        uploadTriangles();
+        uploadInstances();
+    }
+    {
+        const TraceScope trace("upload materials and textures");
+        uploadMaterials();
+    }
 
     // Bounds of the casters, for fitting light views.
     glm::vec3 lower(INFINITY), upper(-INFINITY);

@@ -8,7 +8,9 @@
 #include <ombrage/error.h>
 
 #include "core/log.h"
+#include "core/trace.h"
 #include "gl/context.h"
+#include "gl/program_cache.h"
 #include "render/composer.h"
 #include "render/geometry_pass.h"
 #include "render/recorder.h"
@@ -29,6 +31,7 @@ struct Renderer::Impl {
     std::unique_ptr<gl::Context> context;
     DeviceInfo device;
     std::unique_ptr<gl::GpuTimer> timer;
+    std::unique_ptr<gl::ProgramCache> programs;
     std::unique_ptr<gl::ShaderLibrary> shaders;
 
     // Everything below holds GL objects and dies before the context, in reverse order.
@@ -89,7 +92,8 @@ const std::string& checkedShaderDir(const std::string& directory) {
 Renderer::Impl::Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options)
     : context(std::move(made)),
       timer(std::make_unique<gl::GpuTimer>()),
-      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir))) {
+      programs(std::make_unique<gl::ProgramCache>(options.cache)),
+      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir), programs.get())) {
     device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(),
               gl::clockName(timer->clock())};
     recorder.timer = timer.get();
@@ -209,6 +213,7 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
 }
 
 void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced) {
+    const TraceScope trace("read back");
     result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
     for (const auto& [index, texture] : produced.visibility)
         result.visibility[index] = texture ? readColor(*texture, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
@@ -246,9 +251,13 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
 RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     if (!scene) throw Error(ErrorCode::Usage, "nothing to render", "call setScene first");
     const RenderRequest request = checkRequest(*scene, settings);
+    const TraceScope whole("render");
+    traceFact("device", device.renderer);
+    traceFact("clock", device.clock);
 
     // Animated scenes are moved to the asked time; the geometry goes up again only then.
     if (!scene->animations.empty() && settings.time_s != 0) {
+        const TraceScope trace("animate");
         moved = *scene;
         animate(moved, settings.time_s);
         gpuScene = std::make_unique<GpuScene>(moved);
@@ -271,7 +280,10 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     slots.keepOnly(request.places);
 
     FrameContext frame;
-    prepareFrame(frame, settings, request);
+    {
+        const TraceScope trace("prepare targets");
+        prepareFrame(frame, settings, request);
+    }
     RenderResult result;
     FrameTargets produced;
     std::vector<double> totals, cpuTimes;
@@ -289,6 +301,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         frame.frameIndex = std::uint32_t(i);
         frame.seed = std::uint32_t(settings.seed);
         produced = {};
+        const TraceScope trace(i < settings.warmupFrames ? "frame (warm-up)" : "frame");
         const double start = threadTime_ms();
         if (!recorder.timesPasses) timer->begin("frame");
         produced = renderFrame(frame, settings, request);
@@ -339,8 +352,11 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     return result;
 }
 
-Renderer::Renderer(const RendererOptions& options)
-    : m_impl(std::make_unique<Impl>(gl::Context::createHeadless({options.device, options.debugContext}), options)) {}
+Renderer::Renderer(const RendererOptions& options) {
+    const TraceScope trace("start OpenGL");
+    auto context = gl::Context::createHeadless({options.device, options.debugContext});
+    m_impl = std::make_unique<Impl>(std::move(context), options);
+}
 
 Renderer::Renderer(AdoptCurrent, const RendererOptions& options) {
     auto context = gl::Context::adoptCurrent();
@@ -354,6 +370,7 @@ void Renderer::setScene(const Scene& scene) {
     m_impl->context->makeCurrent();
     std::optional<gl::StateGuard> guard;
     if (m_impl->context->isAdopted()) guard.emplace();
+    const TraceScope trace("set scene");
     m_impl->scene = &scene;
     m_impl->slots.clear();
     m_impl->gpuScene = std::make_unique<GpuScene>(scene);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/trace.h"
 #include "render/frame_context.h"
 
 namespace ombrage {
@@ -20,7 +21,10 @@ const std::vector<std::unique_ptr<Technique>>& TechniqueSlots::get(const std::st
         slot.generation = 0;
     }
     if (slot.generation != m_generation) {
-        for (const auto& technique : slot.techniques) technique->prepare(frame);
+        for (const auto& technique : slot.techniques) {
+            const TraceScope trace("prepare", technique->entry().id());
+            technique->prepare(frame);
+        }
         slot.generation = m_generation;
     }
     return slot.techniques;

@@ -2,6 +2,7 @@
 #include <ombrage/scene.h>
 
 #include "core/hash.h"
+#include "core/trace.h"
 
 namespace ombrage {
 
@@ -65,6 +66,7 @@ void hashCamera(Hasher& hasher, const Camera& camera) {
 }  // namespace
 
 std::string contentHash(const Scene& scene) {
+    const TraceScope trace("hash scene");
     Hasher hasher;
     for (const std::size_t count :
          {scene.textures.size(), scene.materials.size(), scene.meshes.size(), scene.models.size(),

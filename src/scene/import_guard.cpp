@@ -22,7 +22,7 @@
 
 #include "core/log.h"
 #include "scene/archive.h"
-#include "scene/file_handle.h"
+#include "core/file_handle.h"
 #include "scene/import_protocol.h"
 
 extern char** environ;

@@ -6,6 +6,7 @@
 #include <ombrage/scene.h>
 
 #include "core/strings.h"
+#include "core/trace.h"
 #include "scene/archive.h"
 #include "scene/builtin.h"
 #include "scene/framing.h"
@@ -66,6 +67,7 @@ void completeScene(Scene& scene) {
 }
 
 LoadedScene loadFiles(const LoadRequest& request, LoadRecord::OnFile onFile) {
+    const TraceScope trace("read files");
     LoadRecord record(std::move(onFile));
     LoadedScene loaded{request, {}, {}};
     Scene& scene = loaded.scene;
@@ -93,11 +95,17 @@ Scene loadFromDisk(const std::string& file, const SceneOptions& options) {
     std::error_code failed;
     const LoadRequest request{file, fs::current_path(failed).string(), options.allowOutside, options.ground};
     const SceneCache cache(options);
-    if (std::optional<Scene> scene = cache.find(request)) return std::move(*scene);
+    {
+        const TraceScope trace("look in the scene cache");
+        if (std::optional<Scene> scene = cache.find(request)) return std::move(*scene);
+    }
 
+    TraceScope importing("guarded import");
     const std::optional<ImportedBytes> imported = importGuarded(request, options);
+    importing.end();
     LoadedScene loaded;
     if (imported) {
+        const TraceScope trace("unpack the imported scene");
         try {
             loaded = readLoadedScene(imported->archive());
         } catch (const ArchiveError& error) {
@@ -107,6 +115,7 @@ Scene loadFromDisk(const std::string& file, const SceneOptions& options) {
         loaded = loadFiles(request);
     }
     // A file that changed while it was read would be kept with the wrong content.
+    const TraceScope trace("keep in the scene cache");
     if (!cache.isOn() || !unchanged(loaded.dependencies)) return std::move(loaded.scene);
     if (imported)
         cache.store(request, imported->archive());
@@ -133,6 +142,7 @@ void requireFile(const fs::path& path) {
 }  // namespace
 
 Scene loadScene(const std::string& nameOrFile, const SceneOptions& options) {
+    const TraceScope trace("load scene", nameOrFile);
     Scene scene;
     const fs::path path(nameOrFile);
     std::error_code failed;

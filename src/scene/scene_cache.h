@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "core/cache_folder.h"
 #include "scene/loaded_scene.h"
 
 namespace ombrage {
@@ -23,23 +24,15 @@ public:
     /// The folder that the options or the environment name; no cache when they say "off" or there is no home.
     explicit SceneCache(const SceneOptions& options);
     /// A folder with bounds of its own.
-    SceneCache(std::filesystem::path folder, std::uint64_t mostBytes, std::size_t mostFiles)
-        : m_folder(std::move(folder)), m_mostBytes(mostBytes), m_mostFiles(mostFiles) {}
+    SceneCache(std::filesystem::path folder, std::uint64_t mostBytes, std::size_t mostFiles);
 
-    bool isOn() const { return !m_folder.empty(); }
+    bool isOn() const { return m_folder.isOn(); }
     std::optional<Scene> find(const LoadRequest& request) const;
     void store(const LoadRequest& request, std::span<const std::byte> archive) const;
     void store(const LoadedScene& loaded) const;
 
 private:
-    std::filesystem::path fileOf(const LoadRequest& request) const;
-    template <typename Write>
-    void storeWith(const LoadRequest& request, Write write) const;
-    void evict() const;
-
-    std::filesystem::path m_folder;
-    std::uint64_t m_mostBytes = kMostBytes;
-    std::size_t m_mostFiles = kMostFiles;
+    CacheFolder m_folder;
 };
 
 }  // namespace ombrage
