@@ -25,9 +25,12 @@ struct Domain {
     bool sun = true, spot = true, point = true, rect = true;  ///< light types that it renders at all
     bool soft = false;  ///< shows the light's real size; a hard one takes the light's centre
     bool closedCastersOnly = false;
-    bool planarReceiversOnly = false;
-    bool alphaTest = true;  ///< sees the holes of alpha-tested casters
+    bool planarReceiversOnly = false;  ///< surfaces in large planes of the scene alone (docs/user/metrics.md)
+    bool alphaTest = true;             ///< sees the holes of alpha-tested casters
 };
+
+/// Whether a technique of this domain renders lights of the type at all.
+bool supports(const Domain& domain, LightType type);
 
 /// An intermediate picture that `render --show NAME` can write.
 struct PassInfo {

@@ -6,51 +6,11 @@
 #include <cmath>
 #include <map>
 
+#include "scene/planar_surfaces.h"
+
 namespace ombrage {
 
 namespace {
-
-bool supports(const Domain& domain, LightType type) {
-    switch (type) {
-        case LightType::Sun:
-            return domain.sun;
-        case LightType::Spot:
-            return domain.spot;
-        case LightType::Point:
-            return domain.point;
-        case LightType::Rect:
-            return domain.rect;
-    }
-    return false;
-}
-
-const glm::vec3& vertex(const Mesh& mesh, std::size_t index) {
-    return mesh.positions[mesh.indices[index]];
-}
-
-/// Within a ten-thousandth of its size of the plane of its largest triangle.
-bool isPlanar(const Mesh& mesh) {
-    glm::dvec3 normal(0.0), point(0.0);
-    double largest = 0;
-    Bounds bounds;
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-        const glm::dvec3 a = vertex(mesh, i), b = vertex(mesh, i + 1), c = vertex(mesh, i + 2);
-        for (const glm::dvec3& p : {a, b, c}) {
-            bounds.lower = glm::min(bounds.lower, p);
-            bounds.upper = glm::max(bounds.upper, p);
-        }
-        const glm::dvec3 n = glm::cross(b - a, c - a);
-        if (glm::length(n) > largest) {
-            largest = glm::length(n);
-            normal = n / largest;
-            point = a;
-        }
-    }
-    if (largest == 0) return true;
-    for (std::uint32_t i : mesh.indices)
-        if (std::fabs(glm::dot(glm::dvec3(mesh.positions[i]) - point, normal)) > 1e-4 * bounds.diagonal()) return false;
-    return true;
-}
 
 /// Closed: every edge of the model is run through equally often in both directions. Vertices are one where their world
 /// positions are equal to the bit, so a model may consist of several meshes.
@@ -91,15 +51,14 @@ SceneTraits sceneTraits(const Scene& scene) {
     SceneTraits traits;
     for (std::size_t m = 0; m < scene.models.size(); ++m)
         if (scene.models[m].casts && !isClosed(scene, int(m))) traits.closedCasters = false;
-    std::vector<bool> planarMesh;
-    for (const Mesh& mesh : scene.meshes) planarMesh.push_back(isPlanar(mesh));
     for (const Instance& instance : scene.instances) {
         const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
-        traits.planarInstance.push_back(planarMesh[std::size_t(instance.mesh)]);
         if (scene.models[std::size_t(instance.model)].casts &&
             scene.materials[std::size_t(mesh.material)].alphaMode == AlphaMode::Mask)
             traits.alphaCasters = true;
     }
+    for (const std::uint8_t plane : findPlanarSurfaces(flatten(scene)).planeOf)
+        traits.planarTriangle.push_back(plane != 0);
     return traits;
 }
 
@@ -117,7 +76,7 @@ std::vector<bool> domainMask(const Pipeline& pipeline, const Light& light, const
     if (!planarOnly) return {};
     std::vector<bool> mask(count, false);
     for (std::size_t i = 0; i < count; ++i)
-        mask[i] = receivers.instance[i] != kNoHit && traits.planarInstance[receivers.instance[i]];
+        mask[i] = receivers.triangle[i] != kNoHit && traits.planarTriangle[receivers.triangle[i]];
     return mask;
 }
 

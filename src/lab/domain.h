@@ -20,7 +20,7 @@ bool takesCentreOf(const Pipeline& pipeline, const Light& light);
 struct SceneTraits {
     bool closedCasters = true;         ///< every casting model is closed
     bool alphaCasters = false;         ///< a casting mesh has an alpha-tested material
-    std::vector<bool> planarInstance;  ///< per instance, whether its mesh lies in one plane
+    std::vector<bool> planarTriangle;  ///< per global triangle, whether it lies in one of the scene's large planes
 };
 SceneTraits sceneTraits(const Scene& scene);
 

@@ -80,6 +80,9 @@ TEST(Plan, WarnsOfTechniquesThatTheSceneIsNotMeantFor) {
 Mesh box() {
     Mesh mesh;
     for (int i = 0; i < 8; ++i) mesh.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2 & 1);
+    mesh.normals.assign(8, glm::vec3(0, 1, 0));
+    mesh.tangents.assign(8, glm::vec4(1, 0, 0, 1));
+    mesh.uvs.assign(8, glm::vec2(0));
     mesh.indices = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                     2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
     return mesh;
@@ -97,7 +100,6 @@ Scene sceneOf(const Mesh& mesh) {
 TEST(SceneTraits, ABoxIsClosedUntilATriangleIsMissing) {
     Mesh mesh = box();
     EXPECT_TRUE(sceneTraits(sceneOf(mesh)).closedCasters);
-    EXPECT_FALSE(sceneTraits(sceneOf(mesh)).planarInstance[0]);
     mesh.indices.resize(33);
     EXPECT_FALSE(sceneTraits(sceneOf(mesh)).closedCasters);
     // What casts no shadow need not be closed.
@@ -123,7 +125,7 @@ TEST(SceneTraits, FindsPlanesAndAlphaTestedCasters) {
     Mesh mesh = box();
     mesh.indices.resize(6);  // one side: a square
     Scene scene = sceneOf(mesh);
-    EXPECT_TRUE(sceneTraits(scene).planarInstance[0]);
+    EXPECT_EQ(sceneTraits(scene).planarTriangle, std::vector<bool>(2, true));
     EXPECT_FALSE(sceneTraits(scene).alphaCasters);
     scene.materials[0].alphaMode = AlphaMode::Mask;
     EXPECT_TRUE(sceneTraits(scene).alphaCasters);

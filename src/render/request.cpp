@@ -14,20 +14,6 @@ namespace ombrage {
 
 namespace {
 
-bool supports(const Domain& domain, LightType type) {
-    switch (type) {
-        case LightType::Sun:
-            return domain.sun;
-        case LightType::Spot:
-            return domain.spot;
-        case LightType::Point:
-            return domain.point;
-        case LightType::Rect:
-            return domain.rect;
-    }
-    return false;
-}
-
 /// The first element belongs to `family`, later ones to it or to the filters; families without filters have one
 /// element.
 void checkPipeline(const Pipeline& pipeline, Family family) {

@@ -40,6 +40,20 @@ const TechniqueEntry& techniqueEntry(const std::string& id) {
     throw unknownName("technique", id, ids);
 }
 
+bool supports(const Domain& domain, LightType type) {
+    switch (type) {
+        case LightType::Sun:
+            return domain.sun;
+        case LightType::Spot:
+            return domain.spot;
+        case LightType::Point:
+            return domain.point;
+        case LightType::Rect:
+            return domain.rect;
+    }
+    return false;
+}
+
 void setParams(const TechniqueSpec& spec, const ParamTable& table, void* params) {
     for (const auto& [key, text] : spec.params) {
         const ParamField& field = table.find(key, spec.id);

@@ -41,7 +41,8 @@ nlohmann::json technicalSheet(const TechniqueInfo& info) {
     return sheet;
 }
 
-Bench::Bench(const std::string& sceneName) : m_scene(loadScene(sceneName)), m_reference(m_scene) {}
+Bench::Bench(const std::string& sceneName)
+    : m_scene(loadScene(sceneName)), m_reference(m_scene), m_traits(sceneTraits(m_scene)) {}
 
 Bench& Bench::of(const std::string& sceneName) {
     static std::map<std::string, std::unique_ptr<Bench>> benches;
@@ -57,13 +58,15 @@ const Receivers& Bench::receivers(const std::string& camera) {
     return m_receivers.emplace(camera, m_reference.receivers(eye, optionsOf(0))).first->second;
 }
 
-const ShadowTruth& Bench::shadow(const std::string& camera, const std::string& light, int samples) {
-    const std::string key = camera + "|" + light + "|" + std::to_string(samples);
+const ShadowTruth& Bench::shadow(const std::string& camera, const std::string& light, int samples,
+                                 const std::string& truth) {
+    ReferenceOptions options = optionsOf(samples);
+    options.kind = truthKindFromName(truth, Quantity::Shadow);
+    const std::string key = camera + "|" + light + "|" + std::to_string(samples) + "|" + truth;
     const auto known = m_shadow.find(key);
     if (known != m_shadow.end()) return known->second;
     const Camera& eye = m_scene.cameras[std::size_t(m_scene.cameraIndex(camera))];
-    return m_shadow
-        .emplace(key, m_reference.shadow(receivers(camera), eye, m_scene.lightIndex(light), optionsOf(samples)))
+    return m_shadow.emplace(key, m_reference.shadow(receivers(camera), eye, m_scene.lightIndex(light), options))
         .first->second;
 }
 

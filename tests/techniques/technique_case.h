@@ -10,6 +10,8 @@
 #include <ombrage/renderer.h>
 #include <nlohmann/json.hpp>
 
+#include "lab/domain.h"
+
 namespace ombrage::test {
 
 /// A technique's NAME.tests.json, checked for unknown keys.
@@ -21,7 +23,10 @@ public:
     explicit Bench(const std::string& sceneName);
 
     const Scene& scene() const { return m_scene; }
-    const ShadowTruth& shadow(const std::string& camera, const std::string& light, int samples);
+    /// @param truth "shadow" or "self"
+    const ShadowTruth& shadow(const std::string& camera, const std::string& light, int samples,
+                              const std::string& truth = "shadow");
+    const SceneTraits& traits() const { return m_traits; }
     /// @param truth "T1" to "T5" or "own"; @param pipeline whose integral "own" is
     const AoTruth& ao(const std::string& camera, int samples, const std::string& truth = "T1",
                       const Pipeline& pipeline = {});
@@ -32,6 +37,7 @@ public:
 private:
     Scene m_scene;
     Reference m_reference;
+    SceneTraits m_traits;
     std::map<std::string, Receivers> m_receivers;
     std::map<std::string, ShadowTruth> m_shadow;
     std::map<std::string, AoTruth> m_ao;

@@ -166,4 +166,10 @@ gl::Buffer excludedInstances(const GpuScene& scene, const std::vector<int>& excl
     return gl::Buffer::from(flags, "ray-tracing exclusions");
 }
 
+gl::Buffer instanceModels(const GpuScene& scene) {
+    std::vector<std::uint32_t> models;
+    for (const FlatInstance& instance : scene.flat().instances) models.push_back(std::uint32_t(instance.model));
+    return gl::Buffer::from(models, "ray-tracing models");
+}
+
 }  // namespace ombrage

@@ -6,8 +6,10 @@ layout(std430, binding = 3) readonly buffer BvhNodes { uvec4 b_bvhNodes[]; };   
 layout(std430, binding = 4) readonly buffer BvhTriangles { uvec4 b_bvhTriangles[]; }; // bits of a corner, global id; instance; alpha
 layout(std430, binding = 5) readonly buffer BvhSlots { uint b_bvhSlots[]; };         // per global triangle its place in b_bvhTriangles
 layout(std430, binding = 6) readonly buffer BvhAlpha { uint b_bvhAlpha[]; };         // records of holes and their bits
-#ifdef EXCLUDES
+#if defined(EXCLUDES)
 layout(std430, binding = 7) readonly buffer BvhInstances { uint b_bvhExcluded[]; };  // per instance: 1 lets rays through
+#elif defined(SAME_MODEL)
+layout(std430, binding = 7) readonly buffer BvhInstances { uint b_bvhModel[]; };     // per instance: rays end on their own model's
 #endif
 
 uniform uint u_bvhNodeCount;
@@ -89,8 +91,10 @@ bool stopsAt(uint slot, RayOrigin o, vec3 d, float tMax) {
     float along = dot(n, d);
     float t = dot(n, a) / along;
     if (along == 0.0 || !(t > 0.0 && t <= tMax) || slot == o.slot) return false;
-#ifdef EXCLUDES
+#if defined(EXCLUDES)
     if (b_bvhExcluded[b_bvhTriangles[3u * slot + 1u].w] != 0u) return false;
+#elif defined(SAME_MODEL)
+    if (b_bvhModel[b_bvhTriangles[3u * slot + 1u].w] != b_bvhModel[b_bvhTriangles[3u * o.slot + 1u].w]) return false;
 #endif
     uint record = b_bvhTriangles[3u * slot + 2u].w;
     if (record != 0u && isBvhHole(record, weights / sum)) return false;

@@ -32,6 +32,9 @@ private:
 
 /// The per-instance flags of shared/gpu_bvh.glsl with EXCLUDES: 1 where the model is in the list.
 gl::Buffer excludedInstances(const GpuScene& scene, const std::vector<int>& excludedModels);
+/// The per-instance models of shared/gpu_bvh.glsl with SAME_MODEL.
+gl::Buffer instanceModels(const GpuScene& scene);
+/// Where either is bound.
 inline constexpr unsigned kExcludedStorage = 7;
 
 }  // namespace ombrage

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Visibility of the bound light by rays. SOFT: rays to points spread over it, else one ray to its centre.
-// PATTERN: 0 random, 1 Owen-scrambled Sobol, 2 one Sobol set rotated by interleaved gradient noise.
+// SAME_MODEL: casters of the receiver's own model alone. PATTERN: 0 random, 1 Owen-scrambled Sobol, 2 one Sobol set
+// rotated by interleaved gradient noise.
 #include "ombrage/gbuffer.glsl"
-#include "shadow/ray-traced/params"
 #include "shared/gpu_bvh.glsl"
 #include "shared/light_sampling.glsl"
 #include "shared/sample_patterns.glsl"
 
 #ifdef SOFT
-uniform ivec2 u_sampleRange;   // this pass takes the samples from x up to y; passes add up
+uniform ivec2 u_sampleRange;  // this pass takes the samples from x up to y; passes add up
+uniform int u_sampleCount;    // of all passes
 #endif
 
 layout(location = 0) out float o_visibility;
@@ -69,7 +70,7 @@ void main() {
             uint seen = 0u;
             for (int i = u_sampleRange.x; i < u_sampleRange.y; ++i)
                 if (isSeen(o, sampleLight(o.p_world, samplePoint(uint(i), seed, gl_FragCoord.xy)))) ++seen;
-            o_visibility = float(seen) / float(params.samples);
+            o_visibility = float(seen) / float(u_sampleCount);
 #else
             o_visibility = isSeen(o, centre) ? 1.0 : 0.0;
 #endif
