@@ -11,7 +11,7 @@ namespace ombrage {
 
 namespace {
 /// Vertices of all primitives: small files that use one accessor again and again cannot fill the memory.
-constexpr std::size_t kMostVertices = std::size_t(1) << 25;
+constexpr int kMostVertices = 1 << 25;
 
 constexpr int kTriangles = 4, kStrip = 5, kFan = 6;
 
@@ -80,6 +80,13 @@ private:
         const GltfJson& primitives = gltfMember(json, "primitives");
         if (!primitives.is_array() || primitives.empty()) m_document.fail(place + "/primitives", "the mesh has none");
         const GltfJson& weights = nodeWeights.is_array() ? nodeWeights : gltfMember(json, "weights");
+        // Before any is read: many primitives may share one accessor, and each makes its vertices anew.
+        for (std::size_t i = 0; i < primitives.size(); ++i) {
+            m_statedVertices += statedVertices(primitives[i]);
+            if (m_statedVertices > kMostVertices)
+                m_document.fail(place + "/primitives/" + std::to_string(i),
+                                fmt::format("the file's primitives have over {} vertices", kMostVertices));
+        }
         std::vector<int> made;
         for (std::size_t i = 0; i < primitives.size(); ++i) {
             const std::string here = place + "/primitives/" + std::to_string(i);
@@ -96,6 +103,16 @@ private:
             m_model.meshes.push_back(std::move(mesh));
         }
         return made;
+    }
+
+    /// What the accessor of the positions says of itself; 0 where it is not as it should be, which reading it will
+    /// find.
+    double statedVertices(const GltfJson& primitive) const {
+        const double number = gltfNumber(gltfMember(gltfMember(primitive, "attributes"), "POSITION"), -1.0);
+        const GltfJson& accessors = gltfMember(m_document.root(), "accessors");
+        if (!accessors.is_array() || !(number >= 0.0 && number < double(accessors.size()))) return 0.0;
+        const double count = gltfNumber(gltfMember(accessors[std::size_t(number)], "count"), 0.0);
+        return count >= 0.0 && count <= kMostVertices ? count : 0.0;
     }
 
     Mesh readPrimitive(const GltfJson& json, int mode, const GltfJson& weights, const Skin* skin,
@@ -118,9 +135,6 @@ private:
         };
         const auto has = [&](const char* name) { return !gltfMember(attributes, name).is_null(); };
         mesh.positions = toVectors<glm::vec3>(attribute("POSITION", 3, attributes));
-        m_vertexCount += mesh.positions.size();
-        if (m_vertexCount > kMostVertices)
-            m_document.fail(place, fmt::format("the file's primitives have over {} vertices", kMostVertices));
         if (has("NORMAL")) mesh.normals = toVectors<glm::vec3>(attribute("NORMAL", 3, attributes));
         if (has("NORMAL") && has("TANGENT")) mesh.tangents = toVectors<glm::vec4>(attribute("TANGENT", 4, attributes));
         readUvs(mesh, attributes, attribute);
@@ -268,7 +282,8 @@ private:
     ModelFile& m_model;
     std::map<std::size_t, std::vector<int>> m_shared;  ///< meshes of the model by mesh of the file
     std::map<std::size_t, glm::dmat4> m_worldOf;
-    std::size_t m_vertexCount = 0, m_leftOut = 0;
+    double m_statedVertices = 0;  ///< of the primitives read so far and of those about to be
+    std::size_t m_leftOut = 0;
     bool m_colorAlpha = false;
 };
 }  // namespace
