@@ -295,17 +295,6 @@ void GpuScene::bindStorage() const {
     m_exclusions.bindStorage(kExclusionStorage);
 }
 
-DrawCounts GpuScene::draw(const DrawFilter& filter, bool positionsOnly) {
-    bindStorage();
-    DrawCounts counts;
-    for (const DrawBatch& batch : batches(filter)) {
-        const DrawCounts drawn = draw(batch, positionsOnly);
-        counts.draws += drawn.draws;
-        counts.triangles += drawn.triangles;
-    }
-    return counts;
-}
-
 DrawCounts GpuScene::draw(const DrawBatch& batch, bool positionsOnly) {
     if (!positionsOnly)
         for (std::size_t t = 0; t < batch.textures.size(); ++t)

@@ -50,18 +50,16 @@ public:
     GpuScene(const GpuScene&) = delete;
     GpuScene& operator=(const GpuScene&) = delete;
 
-    /// Draws with multi-draw-indirect, grouped by textures. The program is in use and gl state applied; binds the
-    /// vertex array (positions and instance ids only, without textures, when `positionsOnly`: for opaque casters) and
-    /// the material textures. Returns what was drawn.
-    DrawCounts draw(const DrawFilter& filter, bool positionsOnly);
-
-    /// The same by hand, for programs or states that depend on the batch: bindStorage(), then each batch with its own
-    /// in use.
+    /// What a filter takes, grouped so that each batch is one multi-draw-indirect; kept once made.
     const std::vector<DrawBatch>& batches(const DrawFilter& filter);
 
     /// Whether no back face of the batch can be seen from `viewpoint`: a point (w 1), farther than `margin_m` from
     /// every instance's bounds, or a direction (w 0).
     bool hidesBackFaces(const DrawBatch& batch, const glm::vec4& viewpoint, float margin_m) const;
+
+    /// Draws one, with the program in use, gl state applied and bindStorage() called; binds the vertex array (positions
+    /// and what comes per draw only, without textures, when `positionsOnly`: for opaque casters) and the material
+    /// textures.
     DrawCounts draw(const DrawBatch& batch, bool positionsOnly);
 
     const Scene& scene() const { return *m_scene; }
@@ -71,9 +69,6 @@ public:
     /// Bounds in the space moved by the origin, of all casters.
     glm::vec3 casterLower() const { return m_casterLower; }
     glm::vec3 casterUpper() const { return m_casterUpper; }
-    /// Bounds of one instance, in the same space.
-    glm::vec3 instanceLower(std::size_t instance) const { return m_instanceBounds[instance].first; }
-    glm::vec3 instanceUpper(std::size_t instance) const { return m_instanceBounds[instance].second; }
     /// Whether the point is in an instance's bounds grown by a margin.
     bool isWithin(std::size_t instance, const glm::vec3& point, float margin_m) const;
     bool hasAlphaMask() const { return m_hasAlphaMask; }
@@ -129,7 +124,7 @@ private:
     std::vector<bool> m_meshIsSolid;
     std::vector<std::pair<glm::vec3, glm::vec3>> m_instanceBounds;
     gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_triangles, m_exclusions;
-    gl::Buffer m_colors;   ///< half floats; empty when no mesh has any
+    gl::Buffer m_colors;  ///< half floats; empty when no mesh has any
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     std::map<DrawFilter, std::vector<DrawBatch>> m_batches;

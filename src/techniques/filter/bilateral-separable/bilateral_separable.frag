@@ -22,8 +22,9 @@ void main() {
         return;
     }
     vec3 p_view = positionViewFromDepth(v_uv, depth);
-    vec3 n_view = mat3(frame.viewFromWorld) * gbufferGeometricNormal(px);
-    vec3 n_s = gbufferShadingNormal(px);
+    uvec4 surface = gbufferSurface(px);
+    vec3 n_view = mat3(frame.viewFromWorld) * geometricNormalOf(surface);
+    vec3 n_s = shadingNormalOf(surface);
 
     // Exponents of 2: Gaussian of the step, Gaussian of the distance from the tangent plane.
     float perStep2 = -0.5 * kLog2E / (params.sigma * params.sigma);
