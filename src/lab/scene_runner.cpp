@@ -11,21 +11,6 @@ namespace ombrage {
 
 namespace {
 
-Pipeline& placeOf(Family family, RenderSettings& settings) {
-    switch (family) {
-        case Family::Shadow:
-            return settings.shadow;
-        case Family::Indirect:
-            return settings.indirect;
-        case Family::Aa:
-            return settings.aa;
-        case Family::Ao:
-        case Family::Filter:
-            break;
-    }
-    return settings.ao;
-}
-
 RunRecord::Timing timing(const Stats& stats) {
     return {stats.median, stats.p95};
 }

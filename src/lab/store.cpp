@@ -190,6 +190,8 @@ void ResultStore::importLines() {
 void ResultStore::exportLines() const {
     const sqlite::Transaction onlyOne(m_database);
     writeWhole(m_folder / kRecordsFile, asLines(records(kCompareKind)));
+    if (const std::vector<std::string> groups = records(kBenchKind); !groups.empty())
+        writeWhole(m_folder / "bench.jsonl", asLines(groups));
     writeWhole(m_folder / kRunsFile, asLines(notes()));
 }
 
