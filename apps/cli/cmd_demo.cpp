@@ -67,7 +67,8 @@ Command demoCommand() {
             "A gallery of techniques against the truth on built-in scenes, and its report",
             {"", "-o gallery --size 320x180"},
             [](Options& options) {
-                options.add("-o,--output", "DIR: results.sqlite, records.jsonl, images and report.html go here (ombrage-demo)");
+                options.add("-o,--output",
+                            "DIR: results.sqlite, records.jsonl, images and report.html go here (ombrage-demo)");
                 options.add("--size", "WxH: size of the pictures in pixels (640x360)");
                 options.add("--seed", "N: seed of everything random (1)");
                 options.add("--device", "software, or the index of an EGL device (the best, with a fallback)");

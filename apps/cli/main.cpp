@@ -45,8 +45,8 @@ int runCommandLine(const std::vector<std::string>& arguments) {
         "Examples:\n  ombrage demo\n  ombrage list scenes\n  ombrage compare gap sphere --all shadow -o out\n");
 
     const std::vector<Command> commands{renderCommand(), compareCommand(), benchCommand(), referenceCommand(),
-                                        diffCommand(),   reportCommand(),  infoCommand(),
-                                        listCommand(),   doctorCommand(),  demoCommand()};
+                                        diffCommand(),   reportCommand(),  infoCommand(),  listCommand(),
+                                        doctorCommand(), demoCommand()};
     std::vector<std::string> names;
     std::vector<CLI::App*> apps;
     std::vector<std::unique_ptr<Options>> options;

@@ -138,7 +138,7 @@ int runWholeProgram(const Options& options) {
         printResult(document);
         return 0;
     }
-    std::string table = "| scene | technique | FPS | CPU | memory | |\n|---|---|--:|--:|--:|--:|\n";
+    std::string table = "| scene | technique | FPS | CPU | memory | of the machine's |\n|---|---|--:|--:|--:|--:|\n";
     for (const Json& row : json["programs"])
         table +=
             fmt::format("| {} | {} | {:.1f} | {:.0f} % | {:.0f} MiB | {:.1f} % |\n", row["scene"].get<std::string>(),

@@ -110,7 +110,8 @@ std::string BenchResult::csv() const {
 std::string BenchResult::markdown() const {
     const bool byProcess = decidedBy == "process_ms";
     std::string text = fmt::format(
-        "Device: {}{}. Frames by the {} clock; at least {} rounds of {} frames by turns. Differences are of {}, with "
+        "Device: {}{}. Frames by the {} clock; at least {} rounds by turns, frames in each: {}. Differences are of {}, "
+        "with "
         "99 % "
         "intervals.\n",
         device.renderer, device.software ? " (software: these are not a GPU's times)" : "", device.clock, rounds,

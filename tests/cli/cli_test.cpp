@@ -120,7 +120,8 @@ TEST_F(Cli, VersionAndHelp) {
     const Result version = run({"--version"});
     EXPECT_EQ(version.code, 0);
     EXPECT_EQ(version.out.rfind("ombrage ", 0), 0u) << version.out;
-    for (const char* command : {"list", "info", "doctor", "render", "reference", "compare", "diff", "report", "demo"})
+    for (const char* command :
+         {"list", "info", "doctor", "render", "reference", "compare", "bench", "diff", "report", "demo"})
         for (const char* option : {"--help", "-h"}) {
             const Result help = run({command, option});
             EXPECT_EQ(help.code, 0) << command;
@@ -662,6 +663,53 @@ TEST_F(Cli, FullDiskIsToldAndWhatWasDoneIsKept) {
     if (resumed.code == kNoDisk) GTEST_SKIP() << "this machine lets nobody mount a small disk";
     ASSERT_EQ(resumed.code, 0) << resumed.err;
     EXPECT_GT(Json::parse(resumed.out)["reused"], 0);
+}
+
+TEST_F(Cli, BenchExportsAndHoldsAgainstABaseline) {
+    const std::vector<std::string> command{"bench",    "gap", "--technique", idOf("shadow"),
+                                           "--frames", "8",   "--size",      "32x18"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), command.begin(), command.end());
+        return more;
+    };
+    const Result first =
+        run(with({"--export-json", "a.json", "--export-csv", "deep/a.csv", "--export-markdown", "a.md"}));
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_EQ(first.out, content(m_folder / "a.md"));
+    EXPECT_NE(content(m_folder / "deep/a.csv").find("\"gap\""), std::string::npos);
+    Json baseline = Json::parse(content(m_folder / "a.json"));
+    EXPECT_EQ(baseline["schema"], "ombrage/bench/1");
+
+    // A baseline of a hundredth of the time: nothing on this machine is noisy enough to hide that.
+    Json& deciding = baseline["groups"][0]["runs"][0][baseline["decided_by"].get<std::string>()];
+    for (Json& sample : deciding["samples"]) sample = sample.get<double>() / 100;
+    std::ofstream(m_folder / "fast.json") << baseline;
+    const Result slower = run(with({"--baseline", "fast.json", "--fail-on", "+50%", "--json"}));
+    EXPECT_EQ(slower.code, 1) << slower.err;
+    EXPECT_NE(slower.err.find("against the baseline"), std::string::npos) << slower.err;
+    EXPECT_EQ(Json::parse(slower.out)["regressions"].size(), 1u);
+    for (Json& sample : deciding["samples"]) sample = sample.get<double>() * 10000;
+    std::ofstream(m_folder / "slow.json") << baseline;
+    EXPECT_EQ(run(with({"--baseline", "slow.json", "--fail-on", "+50%"})).code, 0);
+
+    EXPECT_EQ(run(with({"--baseline", "none.json"})).code, 3);
+    expectUsageError(with({"--fail-on", "+5%"}), "--baseline");
+    expectUsageError(with({"--sweep", "resolution"}), "AXIS=A..B");
+    expectUsageError(with({"--program", "--sweep", "size=1..2"}), "does not go with --program");
+}
+
+TEST_F(Cli, BenchMeasuresWholeProgramsApart) {
+    const Result result = run({"bench", "gap", "--program", "--technique", "shadow/none", "--technique", idOf("shadow"),
+                               "--seconds", "1", "--size", "32x18", "--json", "--export-json", "p.json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["schema"], "ombrage/program/1");
+    ASSERT_EQ(json["programs"].size(), 2u);
+    for (const Json& row : json["programs"]) {
+        EXPECT_GT(row["fps"], 0);
+        EXPECT_GT(row["memory_mib"], 10);
+    }
+    EXPECT_EQ(content(m_folder / "p.json"), result.out);
 }
 
 TEST_F(Cli, ADecimalCommaInTheEnvironmentChangesNothing) {
