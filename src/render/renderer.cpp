@@ -2,6 +2,7 @@
 #include <ombrage/renderer.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -46,6 +47,7 @@ struct Renderer::Impl {
     TechniqueSlots slots;
     CameraView previousView;
     bool hasPreviousView = false;
+    std::array<Pipeline, 4> earlierPipelines;  ///< of the last call: shadow, ao, indirect, aa
 
     Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options);
     ~Impl();
@@ -55,6 +57,8 @@ struct Renderer::Impl {
     TargetPool::Target renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
     TargetPool::Target renderAo(FrameContext& frame, const Pipeline& pipeline);
     TargetPool::Target applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input);
+    /// Frees what only earlier calls used, so that what a call costs does not depend on them.
+    void forgetEarlierPipelines(const RenderSettings& settings, const RenderRequest& request);
     void readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced);
     RenderResult render(const RenderSettings& settings);
 };
@@ -248,6 +252,24 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
     }
 }
 
+void Renderer::Impl::forgetEarlierPipelines(const RenderSettings& settings, const RenderRequest& request) {
+    // A pipeline that runs no pass never asks for its place: what an earlier call left there would stay, and be counted.
+    std::vector<std::string> inUse;
+    for (const std::string& place : request.places) {
+        const Pipeline& pipeline = place == "ao"         ? settings.ao
+                                   : place == "indirect" ? settings.indirect
+                                   : place == "aa"       ? settings.aa
+                                                         : settings.shadow;
+        if (!isNeutral(pipeline)) inUse.push_back(place);
+    }
+    slots.keepOnly(inUse);
+    const std::array<Pipeline, 4> pipelines{settings.shadow, settings.ao, settings.indirect, settings.aa};
+    if (pipelines != earlierPipelines) targets.trim();
+    earlierPipelines = pipelines;
+    // A visibility that is given takes the place of a pipeline's.
+    if (!settings.givenVisibility.empty()) earlierPipelines = {};
+}
+
 RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     if (!scene) throw Error(ErrorCode::Usage, "nothing to render", "call setScene first");
     const RenderRequest request = checkRequest(*scene, settings);
@@ -277,7 +299,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     recorder.shown.clear();
     recorder.wanted = std::set<std::string>(settings.show.begin(), settings.show.end());
     recorder.wantsAll = recorder.wanted.count("all") > 0;
-    slots.keepOnly(request.places);
+    forgetEarlierPipelines(settings, request);
 
     FrameContext frame;
     {
@@ -376,6 +398,7 @@ void Renderer::setScene(const Scene& scene) {
     m_impl->slots.clear();
     m_impl->gpuScene = std::make_unique<GpuScene>(scene);
     m_impl->hasPreviousView = false;
+    m_impl->earlierPipelines = {};
     m_impl->slots.invalidate();
 }
 

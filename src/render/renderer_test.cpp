@@ -64,6 +64,20 @@ TEST_F(RendererTest, WhatCameBeforeLeavesNoTrace) {
     expectSame(inRoom, render(room, small()));
 }
 
+TEST_F(RendererTest, BytesAreOfWhatIsRenderedNotOfWhatWasBefore) {
+    const Scene gap = loadScene("gap"), room = loadScene("room");
+    const std::uint64_t none = render(gap, small("none")).gpuBytes, map = again(small("map:resolution=64")).gpuBytes;
+    EXPECT_GT(map, none);
+    again(small("volume-zfail"));
+    EXPECT_EQ(again(small("none")).gpuBytes, none);
+    RenderSettings given = small("none");
+    given.givenVisibility[0] = Image::grey(given.width, given.height);
+    again(given);
+    EXPECT_EQ(again(small("none")).gpuBytes, none);
+    render(room, small("volume-zfail"));
+    EXPECT_EQ(render(gap, small("map:resolution=64")).gpuBytes, map);
+}
+
 TEST_F(RendererTest, MemoryDoesNotGrowOverAlternatingCalls) {
     const Scene scene = loadScene("gap");
     RenderSettings a = small(), b = small("map:resolution=128");
