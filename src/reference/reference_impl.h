@@ -37,7 +37,8 @@ struct SurfacePoint {
 
 /// Turns receivers into points, their positions from the barycentrics in double, kept `inset_m` away from their
 /// triangles' edges: a point on the very crease of two walls has no answer, the limit from its own side has. Neighbours
-/// often share a triangle, so what was last worked out of one is kept: one object for each thread.
+/// often share a triangle, so what was last worked out of one is kept: one object for each thread. Parts of a point cost
+/// only what they need.
 class SurfacePoints {
 public:
     SurfacePoints(const FlatScene& flat, const Receivers& receivers, double inset_m)
@@ -46,17 +47,52 @@ public:
     /// The receiver of pixel `index`, which is not sky.
     SurfacePoint at(std::size_t index);
 
+    /// Turns to the receiver of pixel `index`, which is not sky: the one that the others tell of.
+    void turnTo(std::size_t index);
+    glm::dvec3 normal() const;
+    glm::dvec3 position();
+    glm::dvec3 shadingNormal() const;
+
 private:
-    void turnTo(std::uint32_t triangle);
+    void turnToTriangle(std::uint32_t triangle);
+    void findLeast();
 
     const FlatScene& m_flat;
     const Receivers& m_receivers;
     const double m_inset_m;
+    std::size_t m_index = 0;
     std::uint32_t m_triangle = kNoHit;
+    bool m_knowsLeast = false;
     glm::dvec3 m_a{0.0}, m_ab{0.0}, m_ac{0.0};
+    double m_doubleArea = 0;
     glm::dvec3 m_normal{0.0};       ///< unit; 0 without area
     glm::dvec3 m_least{1.0 / 3.0};  ///< least weight of each corner
 };
+
+inline void SurfacePoints::turnTo(std::size_t index) {
+    m_index = index;
+    if (m_receivers.triangle[index] != m_triangle) turnToTriangle(m_receivers.triangle[index]);
+}
+
+inline glm::dvec3 SurfacePoints::normal() const {
+    // The stored normal tells the side; the triangle gives it in full precision.
+    const glm::dvec3 stored(m_receivers.normal[m_index]);
+    const glm::dvec3 n = m_doubleArea > 0 ? m_normal : stored;
+    return glm::dot(n, stored) < 0 ? -n : n;
+}
+
+inline glm::dvec3 SurfacePoints::position() {
+    // In this form a level plane keeps its exact height, which grazing rays along it need.
+    if (!m_knowsLeast) findLeast();
+    const glm::dvec2 uv(m_receivers.barycentric[m_index]);
+    glm::dvec3 w = glm::max(glm::dvec3(1 - uv.x - uv.y, uv.x, uv.y), m_least);
+    w /= w.x + w.y + w.z;
+    return m_a + m_ab * w.y + m_ac * w.z;
+}
+
+inline glm::dvec3 SurfacePoints::shadingNormal() const {
+    return glm::normalize(glm::dvec3(m_receivers.shadingNormal[m_index]));
+}
 
 /// Truth of one light at one point.
 struct LightTruth {
@@ -83,6 +119,9 @@ Reference::Estimate combine(const std::array<double, kScramblings>& means);
 
 /// Seed of one point's samples. Every light and the ambient occlusion have their own stream.
 std::uint32_t pointSeed(std::uint64_t seed, std::uint32_t stream, std::uint32_t index);
+
+/// Of all pixels that are not sky, the share that is not valid.
+double maskedShareOf(const std::vector<Mask>& mask);
 
 /// Fills meanStandardError over valid pixels and maskedShare over those that are not sky.
 void summarise(const std::vector<Mask>& mask, const std::vector<float>& standardError, double& meanStandardError,
