@@ -39,7 +39,14 @@ void SurfacePoints::turnToTriangle(std::uint32_t triangle) {
     m_ac = glm::dvec3(m_flat.positions[t.z]) - m_a;
     const glm::dvec3 n = glm::cross(m_ab, m_ac);
     m_doubleArea = glm::length(n);
-    m_normal = m_doubleArea > 0 ? n / m_doubleArea : glm::dvec3(0.0);
+    m_front = m_doubleArea > 0 ? n / m_doubleArea : glm::dvec3(0.0);
+}
+
+void SurfacePoints::turnToSide(const glm::vec3& stored) {
+    // The stored normal tells the side; the triangle gives it in full precision.
+    m_stored = stored;
+    const glm::dvec3 n = m_doubleArea > 0 ? m_front : glm::dvec3(stored);
+    m_normal = glm::dot(n, glm::dvec3(stored)) < 0 ? -n : n;
 }
 
 void SurfacePoints::findLeast() {

@@ -48,13 +48,15 @@ public:
     SurfacePoint at(std::size_t index);
 
     /// Turns to the receiver of pixel `index`, which is not sky: the one that the others tell of.
-    void turnTo(std::size_t index);
-    glm::dvec3 normal() const;
+    /// @return whether its normal may differ from that of the one before
+    bool turnTo(std::size_t index);
+    const glm::dvec3& normal() const { return m_normal; }
     glm::dvec3 position();
     glm::dvec3 shadingNormal() const;
 
 private:
     void turnToTriangle(std::uint32_t triangle);
+    void turnToSide(const glm::vec3& stored);
     void findLeast();
 
     const FlatScene& m_flat;
@@ -65,20 +67,20 @@ private:
     bool m_knowsLeast = false;
     glm::dvec3 m_a{0.0}, m_ab{0.0}, m_ac{0.0};
     double m_doubleArea = 0;
-    glm::dvec3 m_normal{0.0};       ///< unit; 0 without area
+    glm::dvec3 m_front{0.0};        ///< the triangle's normal, unit
+    glm::vec3 m_stored{0.0f};       ///< the receiver's normal as it is stored
+    glm::dvec3 m_normal{0.0};       ///< the same in full precision
     glm::dvec3 m_least{1.0 / 3.0};  ///< least weight of each corner
 };
 
-inline void SurfacePoints::turnTo(std::size_t index) {
+inline bool SurfacePoints::turnTo(std::size_t index) {
     m_index = index;
-    if (m_receivers.triangle[index] != m_triangle) turnToTriangle(m_receivers.triangle[index]);
-}
-
-inline glm::dvec3 SurfacePoints::normal() const {
-    // The stored normal tells the side; the triangle gives it in full precision.
-    const glm::dvec3 stored(m_receivers.normal[m_index]);
-    const glm::dvec3 n = m_doubleArea > 0 ? m_normal : stored;
-    return glm::dot(n, stored) < 0 ? -n : n;
+    const std::uint32_t triangle = m_receivers.triangle[index];
+    const glm::vec3& stored = m_receivers.normal[index];
+    if (triangle == m_triangle && stored == m_stored) return false;
+    if (triangle != m_triangle) turnToTriangle(triangle);
+    turnToSide(stored);
+    return true;
 }
 
 inline glm::dvec3 SurfacePoints::position() {

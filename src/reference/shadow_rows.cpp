@@ -100,38 +100,43 @@ void ShadowRows::soft(int y, const SampleSets& sets, const std::function<std::ui
 
 void ShadowRows::hard(int y) {
     SurfacePoints points(m_flat, m_receivers, m_rays.positionError_m(0));
-    // Each pixel works out only what it needs: far from all a sun stands the same everywhere, and a pixel that turns
-    // away from it has no use for its own position.
+    // Each pixel works out only what it needs. Far from all, a sun stands the same everywhere: what depends on a normal
+    // alone holds as long as the normal does, and a pixel that turns away has no use for its own position.
     const bool isFar = m_shape.isDirectional();
     Queue queue;
     Aim aim{glm::dvec3(0.0), m_shape.centre(glm::dvec3(0.0)), 0};
     aim.length_m = m_rays.lengthTo_m(aim.centre.distance_m);
+    double cosine = 0;
+    float irradiance = 0;
+    Mask mask = Mask::Valid;
+    glm::vec3 shadingNormal(0.0f);  // that the irradiance belongs to
     const std::size_t first = std::size_t(y) * std::size_t(m_receivers.width);
     for (std::size_t i = first; i < first + std::size_t(m_receivers.width); ++i) {
         if (m_receivers.triangle[i] == kNoHit) continue;
-        points.turnTo(i);
-        const glm::dvec3 normal = points.normal();
+        const bool turns = points.turnTo(i);
         if (!isFar) {
             aim.from = points.position();
             aim.centre = m_shape.centre(aim.from);
             aim.length_m = m_rays.lengthTo_m(aim.centre.distance_m);
             m_truth.lightDistance_m[i] = float(aim.centre.distance_m);
         }
-        const double cosine = glm::dot(aim.centre.direction, normal);
-        const bool isAbove = cosine > 0;
+        if (turns || !isFar) {
+            cosine = glm::dot(aim.centre.direction, points.normal());
+            mask = m_shape.mask(aim.from, points.normal());
+        }
         m_truth.cosine[i] = float(cosine);
 
-        // A sun without size has nothing but its centre to rise above the horizon.
         const Asks asks = m_asks[m_receivers.instance[i]];
-        const Mask mask = asks == Asks::Excluded ? Mask::NotReceiving
-                          : isFar                ? (isAbove ? Mask::Valid : Mask::BelowHorizon)
-                                                 : m_shape.mask(aim.from, normal);
         m_truth.mask[i] = asks == Asks::Shadow ? mask : Mask::NotReceiving;
         // Dark until its ray arrives.
         if (asks == Asks::Shadow) m_truth.visibility[i] = m_truth.irradianceShare[i] = 0;
-        if (mask != Mask::Valid) continue;
-        m_truth.irradiance[i] = irradianceOf(aim.centre, points.shadingNormal());
-        if (asks != Asks::Shadow || !aim.centre.facing || !isAbove) continue;
+        if (mask != Mask::Valid || asks == Asks::Excluded) continue;
+        if (!isFar || m_receivers.shadingNormal[i] != shadingNormal) {
+            shadingNormal = m_receivers.shadingNormal[i];
+            irradiance = irradianceOf(aim.centre, points.shadingNormal());
+        }
+        m_truth.irradiance[i] = irradiance;
+        if (asks != Asks::Shadow || !aim.centre.facing || !(cosine > 0)) continue;
         if (isFar) aim.from = points.position();
         enqueue(i, aim, queue);
     }
