@@ -140,12 +140,13 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
     const std::uint32_t stream = std::uint32_t(light) + 1;
     const SampleSets sets(pointSeed(options.seed, stream, kNoHit), samples);
     ShadowRows rows(flat, m_impl->rays, source, shape, receivers, casters, t);
-    parallelRows(receivers.height, options, [&](int y) {
-        if (t.soft)
+    if (t.soft)
+        parallelRows(receivers.height, options, [&](int y) {
             rows.soft(y, sets, [&](std::size_t i) { return pointSeed(options.seed, stream, std::uint32_t(i)); });
-        else
-            rows.hard(y);
-    });
+        });
+    else
+        parallelRows((receivers.height + ShadowRows::kBand - 1) / ShadowRows::kBand, options,
+                     [&](int band) { rows.hard(band); });
     // Without samples no pixel has an error.
     if (t.soft)
         summarise(t.mask, t.standardError, t.meanStandardError, t.maskedShare);

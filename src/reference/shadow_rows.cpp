@@ -98,49 +98,64 @@ void ShadowRows::soft(int y, const SampleSets& sets, const std::function<std::ui
     }
 }
 
-void ShadowRows::hard(int y) {
-    SurfacePoints points(m_flat, m_receivers, m_rays.positionError_m(0));
-    // Each pixel works out only what it needs. Far from all, a sun stands the same everywhere: what depends on a normal
-    // alone holds as long as the normal does, and a pixel that turns away has no use for its own position.
-    const bool isFar = m_shape.isDirectional();
-    Queue queue;
-    Aim aim{glm::dvec3(0.0), m_shape.centre(glm::dvec3(0.0)), 0};
-    aim.length_m = m_rays.lengthTo_m(aim.centre.distance_m);
+/// What the pixels of a band have in common. Far from all, a sun stands the same everywhere: what depends on a normal
+/// alone holds as long as the normal does, and a pixel that turns away has no use for its own position.
+struct ShadowRows::Band {
+    SurfacePoints points;
+    bool isFar;
+    Aim aim;
+    Queue queue{};
     double cosine = 0;
-    float irradiance = 0;
     Mask mask = Mask::Valid;
-    glm::vec3 shadingNormal(0.0f);  // that the irradiance belongs to
-    const std::size_t first = std::size_t(y) * std::size_t(m_receivers.width);
-    for (std::size_t i = first; i < first + std::size_t(m_receivers.width); ++i) {
-        if (m_receivers.triangle[i] == kNoHit) continue;
-        const bool turns = points.turnTo(i);
-        if (!isFar) {
-            aim.from = points.position();
-            aim.centre = m_shape.centre(aim.from);
-            aim.length_m = m_rays.lengthTo_m(aim.centre.distance_m);
-            m_truth.lightDistance_m[i] = float(aim.centre.distance_m);
-        }
-        if (turns || !isFar) {
-            cosine = glm::dot(aim.centre.direction, points.normal());
-            mask = m_shape.mask(aim.from, points.normal());
-        }
-        m_truth.cosine[i] = float(cosine);
+    float irradiance = 0;
+    glm::vec3 shadingNormal{0.0f};  ///< that the irradiance belongs to
+};
 
-        const Asks asks = m_asks[m_receivers.instance[i]];
-        m_truth.mask[i] = asks == Asks::Shadow ? mask : Mask::NotReceiving;
-        // Dark until its ray arrives.
-        if (asks == Asks::Shadow) m_truth.visibility[i] = m_truth.irradianceShare[i] = 0;
-        if (mask != Mask::Valid || asks == Asks::Excluded) continue;
-        if (!isFar || m_receivers.shadingNormal[i] != shadingNormal) {
-            shadingNormal = m_receivers.shadingNormal[i];
-            irradiance = irradianceOf(aim.centre, points.shadingNormal());
-        }
-        m_truth.irradiance[i] = irradiance;
-        if (asks != Asks::Shadow || !aim.centre.facing || !(cosine > 0)) continue;
-        if (isFar) aim.from = points.position();
-        enqueue(i, aim, queue);
+void ShadowRows::hard(int band) {
+    const glm::dvec3 anywhere(0.0);
+    const LightSample centre = m_shape.centre(anywhere);
+    Band b{SurfacePoints(m_flat, m_receivers, m_rays.positionError_m(0)), m_shape.isDirectional(),
+           Aim{anywhere, centre, m_rays.lengthTo_m(centre.distance_m)}};
+    // In square tiles, so that the rays of a packet stay near each other.
+    const int top = band * kBand, bottom = std::min(top + kBand, m_receivers.height);
+    for (int left = 0; left < m_receivers.width; left += kBand) {
+        const int right = std::min(left + kBand, m_receivers.width);
+        for (int y = top; y < bottom; ++y)
+            for (int x = left; x < right; ++x) {
+                const std::size_t i = std::size_t(y) * std::size_t(m_receivers.width) + std::size_t(x);
+                if (m_receivers.triangle[i] != kNoHit) hardPixel(i, b);
+            }
     }
-    flush(queue);
+    flush(b.queue);
+}
+
+void ShadowRows::hardPixel(std::size_t i, Band& b) {
+    const bool turns = b.points.turnTo(i);
+    if (!b.isFar) {
+        b.aim.from = b.points.position();
+        b.aim.centre = m_shape.centre(b.aim.from);
+        b.aim.length_m = m_rays.lengthTo_m(b.aim.centre.distance_m);
+        m_truth.lightDistance_m[i] = float(b.aim.centre.distance_m);
+    }
+    if (turns || !b.isFar) {
+        b.cosine = glm::dot(b.aim.centre.direction, b.points.normal());
+        b.mask = m_shape.mask(b.aim.from, b.points.normal());
+    }
+    m_truth.cosine[i] = float(b.cosine);
+
+    const Asks asks = m_asks[m_receivers.instance[i]];
+    m_truth.mask[i] = asks == Asks::Shadow ? b.mask : Mask::NotReceiving;
+    // Dark until its ray arrives.
+    if (asks == Asks::Shadow) m_truth.visibility[i] = m_truth.irradianceShare[i] = 0;
+    if (b.mask != Mask::Valid || asks == Asks::Excluded) return;
+    if (!b.isFar || m_receivers.shadingNormal[i] != b.shadingNormal) {
+        b.shadingNormal = m_receivers.shadingNormal[i];
+        b.irradiance = irradianceOf(b.aim.centre, b.points.shadingNormal());
+    }
+    m_truth.irradiance[i] = b.irradiance;
+    if (asks != Asks::Shadow || !b.aim.centre.facing || !(b.cosine > 0)) return;
+    if (b.isFar) b.aim.from = b.points.position();
+    enqueue(i, b.aim, b.queue);
 }
 
 void ShadowRows::enqueue(std::size_t i, const Aim& aim, Queue& queue) {

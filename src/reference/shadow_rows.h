@@ -33,18 +33,21 @@ public:
     /// Of a light with a size.
     void soft(int y, const SampleSets& sets, const std::function<std::uint32_t(std::size_t)>& seedOf);
 
-    /// Of a light without: one ray a pixel, traced with its neighbours.
-    void hard(int y);
+    /// Of a light without: one ray a pixel, traced with its neighbours. A band has kBand rows.
+    static constexpr int kBand = 4;
+    void hard(int band);
 
 private:
     /// What an instance asks of the light. Models that the light leaves alone are dark; those that receive no shadow
     /// are lit and ask nothing.
     enum class Asks : std::uint8_t { Shadow, Nothing, Excluded };
     struct Aim;
+    struct Band;
     struct Queue;
 
     const std::vector<bool>* castersOf(std::uint32_t instance) const;
     float irradianceOf(const LightSample& centre, const glm::dvec3& shadingNormal) const;
+    void hardPixel(std::size_t i, Band& band);
     void enqueue(std::size_t i, const Aim& aim, Queue& queue);
     void flush(Queue& queue);
     void keepBlocker(std::size_t i, std::uint32_t triangle, double distance_m);
