@@ -30,36 +30,30 @@ double maskedShareOf(const std::vector<Mask>& mask) {
 Reference::Reference(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
 Reference::~Reference() = default;
 
-void SurfacePoints::turnToTriangle(std::uint32_t triangle) {
-    m_triangle = triangle;
-    m_knowsLeast = false;
+void SurfacePoints::fill(Plane& plane, std::uint32_t triangle) const {
     const glm::uvec3 t = m_flat.triangles[triangle];
-    m_a = glm::dvec3(m_flat.positions[t.x]);
-    m_ab = glm::dvec3(m_flat.positions[t.y]) - m_a;
-    m_ac = glm::dvec3(m_flat.positions[t.z]) - m_a;
-    const glm::dvec3 n = glm::cross(m_ab, m_ac);
-    m_doubleArea = glm::length(n);
-    m_front = m_doubleArea > 0 ? n / m_doubleArea : glm::dvec3(0.0);
+    plane.triangle = triangle;
+    plane.knowsLeast = false;
+    plane.a = glm::dvec3(m_flat.positions[t.x]);
+    plane.ab = glm::dvec3(m_flat.positions[t.y]) - plane.a;
+    plane.ac = glm::dvec3(m_flat.positions[t.z]) - plane.a;
+    const glm::dvec3 n = glm::cross(plane.ab, plane.ac);
+    plane.doubleArea = glm::length(n);
+    plane.normal = plane.doubleArea > 0 ? n / plane.doubleArea : glm::dvec3(0.0);
 }
 
-void SurfacePoints::turnToSide(const glm::vec3& stored) {
-    // The stored normal tells the side; the triangle gives it in full precision.
-    m_stored = stored;
-    const glm::dvec3 n = m_doubleArea > 0 ? m_front : glm::dvec3(stored);
-    m_normal = glm::dot(n, glm::dvec3(stored)) < 0 ? -n : n;
-}
-
-void SurfacePoints::findLeast() {
+void SurfacePoints::findLeast(Plane& plane) const {
     // A weight is the distance to the opposite edge over the height on it; at most the middle is reached.
-    const glm::dvec3 edges(glm::length(m_ac - m_ab), glm::length(m_ac), glm::length(m_ab));
-    m_least = m_doubleArea > 0 ? glm::min(edges * (m_inset_m / m_doubleArea), 1.0 / 3) : glm::dvec3(1.0 / 3);
-    m_knowsLeast = true;
+    const glm::dvec3 edges(glm::length(plane.ac - plane.ab), glm::length(plane.ac), glm::length(plane.ab));
+    plane.least =
+        plane.doubleArea > 0 ? glm::min(edges * (m_inset_m / plane.doubleArea), 1.0 / 3) : glm::dvec3(1.0 / 3);
+    plane.knowsLeast = true;
 }
 
 SurfacePoint SurfacePoints::at(std::size_t index) {
     turnTo(index);
     SurfacePoint p;
-    p.triangle = m_triangle;
+    p.triangle = m_plane->triangle;
     p.instance = m_receivers.instance[index];
     p.position = position();
     p.normal = normal();

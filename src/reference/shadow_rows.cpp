@@ -114,7 +114,8 @@ struct ShadowRows::Band {
 void ShadowRows::hard(int band) {
     const glm::dvec3 anywhere(0.0);
     const LightSample centre = m_shape.centre(anywhere);
-    Band b{SurfacePoints(m_flat, m_receivers, m_rays.positionError_m(0)), m_shape.isDirectional(),
+    Band b{{m_flat, m_receivers, m_rays.positionError_m(0)},
+           m_shape.isDirectional(),
            Aim{anywhere, centre, m_rays.lengthTo_m(centre.distance_m)}};
     // In square tiles, so that the rays of a packet stay near each other.
     const int top = band * kBand, bottom = std::min(top + kBand, m_receivers.height);
