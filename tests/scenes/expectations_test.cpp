@@ -51,6 +51,7 @@ public:
         m_options.width = kExpectationWidth;
         m_options.height = kExpectationHeight;
         m_receivers = m_reference.receivers(camera(), m_options);
+        m_positions = m_reference.positions(m_receivers);
         sharedRenderer().setScene(m_scene);
     }
 
@@ -69,7 +70,9 @@ public:
                 }
         const bool isShadow = family == Family::Shadow;
         const auto plane = isShadow ? result.visibility.begin()->second.plane(0) : result.ao->plane(0);
-        m_footprint = result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
+        m_question.footprint = result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
+        m_question.inRange =
+            result.range.empty() ? std::vector<bool>() : inRange(result.range.begin()->second, m_positions, camera());
         m_instance = result.instance;
         m_triangle = result.triangle;
         return measure(isShadow, {plane.begin(), plane.end()});
@@ -94,10 +97,12 @@ private:
                 // 64 samples err by some 0.01 in a penumbra, a fifth of what counts as an error there.
                 m_options.samplesPerPixel = light().hasSize() ? 64 : 0;
                 m_shadow = m_reference.shadow(m_receivers, camera(), m_moved.lightIndex(m_expected.light), m_options);
+                m_features = m_reference.shadowFeatures(m_receivers, m_moved.lightIndex(m_expected.light), m_options);
+                m_question.features = &m_features;
             }
             ShadowTruth truth = m_shadow;
             maskDisagreement(truth.mask, truth.maskedShare, m_receivers, m_instance, m_triangle);
-            return measureShadow(image, truth, m_receivers, m_footprint).metrics;
+            return measureShadow(image, truth, m_receivers, m_question).metrics;
         }
         if (m_ao.visibility.empty()) {
             m_options.samplesPerPixel = 64;
@@ -115,7 +120,9 @@ private:
     Receivers m_receivers;
     ShadowTruth m_shadow;
     AoTruth m_ao;
-    TexelFootprint m_footprint;
+    ShadowFeatures m_features;
+    ShadowQuestion m_question;
+    std::vector<glm::dvec3> m_positions;
     std::vector<std::uint32_t> m_instance, m_triangle;
 };
 

@@ -79,12 +79,13 @@ protected:
         if (info().family == Family::Shadow) {
             ShadowTruth truth = shadowTruth(budget);
             maskDisagreement(truth.mask, truth.maskedShare, receivers, result.instance, result.triangle);
-            const TexelFootprint footprint =
-                result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
             const Light& shining = bench.scene().lights[std::size_t(bench.scene().lightIndex(light))];
-            const ShadowMeasurement measured =
-                measureShadow(image, truth, receivers, footprint,
-                              domainMask(settingsFor(budget).shadow, shining, bench.traits(), receivers));
+            ShadowQuestion question;
+            if (!result.footprint.empty()) question.footprint = result.footprint.begin()->second;
+            if (!result.range.empty()) question.inRange = bench.covered(result.range.begin()->second, camera);
+            question.inDomain = domainMask(settingsFor(budget).shadow, shining, bench.traits(), receivers);
+            question.features = &bench.features(camera, light, budget.value("truth", "shadow"));
+            const ShadowMeasurement measured = measureShadow(image, truth, receivers, question);
             if (valid) *valid = measured.validCount;
             return measured.metrics;
         }
