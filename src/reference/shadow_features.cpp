@@ -18,6 +18,10 @@ constexpr double kGoldenAngle_rad = 2.39996322972865332;
 /// Below this cosine the tangent plane is as steep as the light's ray and says nothing of the surface beside the point.
 constexpr double kSteepest = 0.02;
 
+/// Steps that find where a wall begins: to 1/64 of the reach, where one 89 degrees from facing the light is lower than
+/// it.
+constexpr int kBisections = 6;
+
 /// Pixels that one thread takes at a time.
 constexpr std::size_t kChunk = 256;
 
@@ -38,18 +42,15 @@ public:
         basis(centre.direction, right, up);
         LightSurroundings found;
         found.ownCasts = castersOf(point)[point.instance];
+        const bool isShaded = m_rays.occluded(rayBeside(point, glm::dvec3(0.0), reach_m));
+        (isShaded ? found.shaded : found.lit) = true;
         for (int k = 0; k < kProbes && !(found.lit && found.shaded); ++k) {
             const double r = reach_m * std::sqrt((k + 0.5) / kProbes), angle_rad = k * kGoldenAngle_rad;
             const glm::dvec3 aside = right * (r * std::cos(angle_rad)) + up * (r * std::sin(angle_rad));
-
-            // The texel's own ray to the light, from the height at which it passes the point's tangent plane.
-            const LightSample s = m_shape.centre(point.position + aside);
-            const double cosine = std::max(glm::dot(point.normal, s.direction), kSteepest);
-            const double along_m = reach_m - glm::dot(point.normal, aside) / cosine;
-            if (!(along_m < s.distance_m)) continue;
-            Ray ray = rayFrom(point, s, aside + s.direction * along_m);
-            if (std::isfinite(s.distance_m)) ray.length_m -= along_m;
-            (m_rays.occluded(ray) ? found.shaded : found.lit) = true;
+            if (!m_rays.occluded(rayBeside(point, aside, reach_m)))
+                found.lit = true;
+            else
+                found.shaded = found.shaded || isDetached(point, aside, reach_m);
         }
         return found;
     }
@@ -76,6 +77,29 @@ public:
     const LightShape& shape() const { return m_shape; }
 
 private:
+    /// The ray to the light through the point moved aside, from above both the point and its tangent plane there: what
+    /// lies lower shades neither the point nor the surface that it seems to lie on.
+    Ray rayBeside(const SurfacePoint& point, const glm::dvec3& aside, double reach_m) const {
+        const LightSample s = m_shape.centre(point.position + aside);
+        const double cosine = std::max(glm::dot(point.normal, s.direction), kSteepest);
+        const double along_m = reach_m + std::max(0.0, -glm::dot(point.normal, aside) / cosine);
+        Ray ray = rayFrom(point, s, aside + s.direction * along_m);
+        if (std::isfinite(s.distance_m)) ray.length_m = std::max(0.0, ray.length_m - along_m);
+        return ray;
+    }
+
+    /// Whether what shades the place aside stands free of the point's surface. A wall that rises from it in a crease
+    /// does not: where it begins to block, it is no higher than the ray's start.
+    bool isDetached(const SurfacePoint& point, const glm::dvec3& aside, double reach_m) const {
+        double open = 0, blocked = 1;
+        for (int i = 0; i < kBisections; ++i) {
+            const double middle = 0.5 * (open + blocked);
+            (m_rays.occluded(rayBeside(point, aside * middle, reach_m)) ? blocked : open) = middle;
+        }
+        const auto hit = m_rays.nearest(rayBeside(point, aside * blocked, reach_m));
+        return hit && hit->distance_m > reach_m;
+    }
+
     Ray rayFrom(const SurfacePoint& point, const LightSample& s, const glm::dvec3& moved) const {
         Ray ray;
         ray.origin = point.position + moved;
