@@ -90,7 +90,7 @@ struct ShadowFeatures {
     std::vector<float> shadingCosine;  ///< n_s . l to the light's centre; 0 for sky
 
     /// Looks at 16 rays to the light through a disk of `reach_m` about each pixel's ray. The point's own surface goes
-    /// on as its tangent plane; walls that rise from it in a crease, and what lies lower than the reach, are part of it.
+    /// on as its tangent plane; walls that rise from it in a crease, and what lies lower than twice the reach, are part of it.
     std::function<std::vector<LightSurroundings>(const std::vector<std::uint32_t>& pixels,
                                                  const std::vector<float>& reach_m)>
         surroundings;

@@ -45,6 +45,13 @@ ErrorZones errorZones(const ShadowTruth& truth, const Receivers& receivers) {
     return zones;
 }
 
+std::vector<float> hardShadow(const ShadowTruth& truth) {
+    std::vector<float> seen(truth.visibility.size());
+    for (std::size_t i = 0; i < seen.size(); ++i)
+        seen[i] = truth.blockerInstance[i] == kNoHit && truth.cosine[i] > 0 ? 1.0f : 0.0f;
+    return seen;
+}
+
 double errorTolerance(const ShadowTruth& truth) {
     return truth.soft ? 0.05 : 0.1;
 }

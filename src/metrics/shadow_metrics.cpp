@@ -64,11 +64,6 @@ std::optional<double> leakMass(std::span<const float> visibility, const ShadowTr
     return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
 }
 
-/// Whether the light's centre is seen: what a plain hard shadow without an error of its own would show.
-double hardVisibility(const ShadowTruth& truth, std::size_t i) {
-    return truth.blockerInstance[i] == kNoHit && truth.cosine[i] > 0 ? 1.0 : 0.0;
-}
-
 /// Area between the true hard edges and the picture's, over the length of the true ones.
 std::optional<double> edgeDisplacement_px(std::span<const float> visibility, const ShadowTruth& truth,
                                           const Receivers& receivers, const ErrorZones& zones,
@@ -118,6 +113,7 @@ ShadowMeasurement measureShadow(std::span<const float> visibility, const ShadowT
     const ErrorZones zones = errorZones(truth, receivers);
     result.classes = classify(visibility, truth, receivers, zones, question);
 
+    const std::vector<float> hard = hardShadow(truth);
     Share wrong, wrongDomain, wrongLit;
     RootMeanSquare lit, penumbra, hardPenumbra;
     for (std::size_t i = 0; i < n; ++i) {
@@ -129,7 +125,7 @@ ShadowMeasurement measureShadow(std::span<const float> visibility, const ShadowT
         lit.add(e, double(truth.irradiance[i]));
         if (zones.penumbra[i]) {
             penumbra.add(e);
-            hardPenumbra.add(hardVisibility(truth, i) - v);
+            hardPenumbra.add(double(hard[i]) - v);
         }
         // Plainly wrong pixels, without the grazing band.
         if (truth.cosine[i] < kGrazing) continue;
@@ -146,8 +142,8 @@ ShadowMeasurement measureShadow(std::span<const float> visibility, const ShadowT
     m["rmse_lit"] = lit.value();
     m["rmse_penumbra"] = penumbra.value();
     m["hard_ratio"] = std::nullopt;
-    if (const auto own = penumbra.value(), hard = hardPenumbra.value(); own && hard && *hard > 0)
-        m["hard_ratio"] = *own / *hard;
+    if (const auto own = penumbra.value(), plain = hardPenumbra.value(); own && plain && *plain > 0)
+        m["hard_ratio"] = *own / *plain;
 
     // Shares of the classes, and of those that belong together.
     const auto share = [&](std::size_t count) {

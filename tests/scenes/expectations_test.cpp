@@ -13,6 +13,7 @@
 #include <ombrage/reference.h>
 #include <ombrage/renderer.h>
 
+#include "metrics/error_classes.h"
 #include "scene/builtin.h"
 #include "scenes/expectations.h"
 
@@ -83,6 +84,25 @@ public:
         return measure(isShadow, std::vector<float>(std::size_t(kExpectationWidth * kExpectationHeight), value));
     }
 
+    /// The mean of the truth over its valid pixels. After of().
+    float bestConstant(bool isShadow) const {
+        const std::vector<float>& values = isShadow ? m_shadow.visibility : m_ao.visibility;
+        const std::vector<Mask>& mask = isShadow ? m_shadow.mask : m_ao.mask;
+        double sum = 0, count = 0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (mask[i] == Mask::Valid) {
+                sum += double(values[i]);
+                ++count;
+            }
+        return float(sum / count);
+    }
+
+    /// Of a plain hard shadow without any error of its own, where the light has a size.
+    std::optional<Metrics> ofHardShadow() {
+        if (!light().hasSize()) return std::nullopt;
+        return measure(true, hardShadow(m_shadow));
+    }
+
 private:
     static Scene moved(Scene scene, double time_s) {
         animate(scene, time_s);
@@ -135,7 +155,7 @@ TEST_P(EveryScene, ShowsWhatItDeclaresAndNothingElse) {
     const SceneExpectations scene = expected();
     Measured measured(scene);
     std::map<std::string, Metrics> known;
-    bool brokenByLight = false, brokenByDark = false;
+    bool brokenByLight = false, brokenByDark = false, brokenByMean = false, brokenByHard = false;
     for (const std::vector<Expectation>* list : {&scene.shows, &scene.holds})
         for (const Expectation& expectation : *list) {
             if (known.count(expectation.technique) == 0)
@@ -155,10 +175,15 @@ TEST_P(EveryScene, ShowsWhatItDeclaresAndNothingElse) {
                 };
                 brokenByLight = brokenByLight || breaks(1.0f);
                 brokenByDark = brokenByDark || breaks(0.0f);
+                brokenByMean = brokenByMean || breaks(measured.bestConstant(isShadow));
+                const std::optional<Metrics> hard = isShadow ? measured.ofHardShadow() : std::nullopt;
+                brokenByHard = brokenByHard || !hard || !expectation.meets(hard->at(expectation.metric));
             }
         }
     EXPECT_TRUE(brokenByLight) << "a picture that is lit everywhere meets all that must hold";
     EXPECT_TRUE(brokenByDark) << "a picture that is dark everywhere meets all that must hold";
+    EXPECT_TRUE(brokenByMean) << "the best picture of one value meets all that must hold";
+    EXPECT_TRUE(brokenByHard) << "a plain hard shadow meets all that must hold";
 }
 
 std::vector<std::string> sceneNames() {
