@@ -80,6 +80,7 @@ struct RenderResult {
     std::map<int, Image> visibility;            ///< per light index, one plane
     std::optional<Image> ao;                    ///< one plane
     std::map<int, TexelFootprint> footprint;    ///< per light index
+    std::map<int, ShadowRange> range;           ///< per light index
     std::vector<std::uint32_t> instance, triangle;  ///< ids of the G-buffer, row 0 at the top
     std::vector<PassCost> passes;               ///< with Timing::Frame their gpu_ms are 0
     Stats gpu_ms;                               ///< sum of the passes; with Timing::Frame the frame

@@ -123,6 +123,16 @@ LightTruth softTruth(const RayScene& rays, const LightShape& light, const Surfac
 /// Per instance, whether it shades the light.
 std::vector<bool> shadingInstances(const FlatScene& flat, const Light& light);
 
+/// The same for each model of the scene where a model is shaded by itself alone (TruthKind::Self), else once for all.
+std::vector<std::vector<bool>> castersByModel(const FlatScene& flat, const Scene& scene, const Light& light,
+                                              TruthKind kind);
+
+/// @throws Error(Usage) when the scene has no such light.
+const Light& checkedLight(const Scene& scene, int light);
+
+/// The kind of the options, or the first of shadows. @throws Error(Usage) for one that Reference::shadow cannot answer.
+TruthKind checkedShadowKind(const ReferenceOptions& options);
+
 /// Samples per scrambling so that all of them are at least `total`, or `fallback` where that is 0.
 /// @throws Error(Usage) below 0.
 int samplesPerScrambling(int total, int fallback);

@@ -11,13 +11,6 @@
 namespace ombrage {
 namespace {
 
-const Light& checkedLight(const Scene& scene, int light) {
-    if (light < 0 || std::size_t(light) >= scene.lights.size())
-        throw Error(ErrorCode::Usage, "there is no light " + std::to_string(light),
-                    "The scene has " + std::to_string(scene.lights.size()) + " lights, counted from 0.");
-    return scene.lights[std::size_t(light)];
-}
-
 /// Every array's first touch costs about as much as a tenth of a hard ray a pixel: by turns on all threads.
 void resize(ShadowTruth& t, std::size_t count, const ReferenceOptions& options) {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -97,26 +90,13 @@ LightTruth softTruth(const RayScene& rays, const LightShape& light, const Surfac
     return truth;
 }
 
-namespace {
-
-/// The kind, when it is one that shadow() answers.
-TruthKind checkedKind(const ReferenceOptions& options) {
-    const TruthKind kind = options.kind.value_or(truthKindsOf(Quantity::Shadow).front());
-    truthKindFromName(truthKindName(kind), Quantity::Shadow);
-    if (kind == TruthKind::Area)
-        throw Error(ErrorCode::Usage, "the truth 'area' has receivers of its own", "Use Reference::areaShadow.");
-    return kind;
-}
-
-}  // namespace
-
 ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int light,
                               const ReferenceOptions& options) const {
     checkReceivers(receivers);
     const FlatScene& flat = m_impl->flat;
     const Light& source = checkedLight(m_impl->scene, light);
     const LightShape shape(source, flat.origin);
-    const TruthKind kind = checkedKind(options);
+    const TruthKind kind = checkedShadowKind(options);
     const int samples = shape.hasSize() ? samplesPerScrambling(options.samplesPerPixel, kSoftSamples) : 1;
 
     ShadowTruth t;
@@ -127,13 +107,8 @@ ShadowTruth Reference::shadow(const Receivers& receivers, const Camera&, int lig
     resize(t, receivers.triangle.size(), options);
 
     // Who shades whom: all casters everyone, or every model itself alone. Where nothing is left out rays need not ask.
-    std::vector<std::vector<bool>> shading(1, shadingInstances(flat, source));
+    const std::vector<std::vector<bool>> shading = castersByModel(flat, m_impl->scene, source, kind);
     ShadowRows::Casters casters;
-    if (kind == TruthKind::Self) {
-        const std::vector<bool> all = shading.front();
-        shading.assign(m_impl->scene.models.size(), std::vector<bool>(all.size(), false));
-        for (std::size_t i = 0; i < all.size(); ++i) shading[std::size_t(flat.instances[i].model)][i] = all[i];
-    }
     for (const std::vector<bool>& one : shading)
         casters.push_back(std::find(one.begin(), one.end(), false) == one.end() ? nullptr : &one);
 

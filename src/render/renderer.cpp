@@ -197,7 +197,8 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
     produced.ao = renderAo(frame, settings.ao);
 
     if (!isNeutral(settings.indirect)) {
-        produced.indirect = targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
+        produced.indirect =
+            targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
         for (const auto& technique : slots.get("indirect", settings.indirect, frame))
             static_cast<IndirectTechnique&>(*technique).render(frame, *produced.indirect);
     }
@@ -344,8 +345,10 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         if (settings.givenVisibility.count(index) == 0)
             for (const auto& technique : slots.get(fmt::format("shadow {}", index), settings.shadow, frame))
                 if (technique->entry().family == Family::Shadow &&
-                    !static_cast<ShadowTechnique&>(*technique).refinesInput())
+                    !static_cast<ShadowTechnique&>(*technique).refinesInput()) {
                     result.footprint[index] = static_cast<ShadowTechnique&>(*technique).footprint();
+                    result.range[index] = static_cast<ShadowTechnique&>(*technique).range();
+                }
     result.warnings = recorder.warnings;
     result.debugMessages = context->takeDebugMessages();
     recorder.blocks.clear();

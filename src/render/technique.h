@@ -54,6 +54,9 @@ public:
     /// Texel size for the measurement of the frame just rendered; the default has no texels.
     virtual TexelFootprint footprint() const { return {}; }
 
+    /// Where the frame just rendered has data; the default covers everything.
+    virtual ShadowRange range() const { return {}; }
+
     /// What follows "+" in a pipeline refines the visibility before it instead of starting from 1.
     virtual bool refinesInput() const { return false; }
 };
@@ -137,6 +140,7 @@ struct TechniqueTraits {
     std::vector<PassInfo> passes;      ///< every name that the technique exposes
     bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
     bool neutral = false;              ///< changes nothing (visibility 1, radiance 0, the input): rendering may leave it out
+    bool usesSeed = false;             ///< its answer depends on RenderSettings::seed: `noise` is measured
     IntegrandMaker integrand = {};     ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
 };
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace ombrage {
 
 namespace {
@@ -204,6 +206,13 @@ TexelFootprint LightViews::footprint(int resolution) const {
     for (const LightView& v : views) widest = std::max({widest, v.halfExtent.x, v.halfExtent.y});
     const double texel = 2.0 * double(widest) / resolution;
     return perspective ? TexelFootprint{0, texel, 0.5} : TexelFootprint{texel, 0, 0.5};
+}
+
+ShadowRange LightViews::range(const glm::dvec3& origin) const {
+    ShadowRange range;
+    for (std::size_t i = 0; i < views.size(); ++i)
+        range.clipFromWorld.push_back(glm::translate(glm::dmat4(clipFromWorld(i)), -origin));
+    return range;
 }
 
 void LightViews::setUniforms(const gl::Program& program) const {

@@ -95,9 +95,11 @@ public:
         if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
         lookUp(frame, visibility);
         m_footprint = m_views->footprint(p().resolution);
+        m_range = m_views->range(frame.gpuScene->origin());
     }
 
     TexelFootprint footprint() const override { return m_footprint; }
+    ShadowRange range() const override { return m_range; }
     std::uint64_t gpuBytes() const override { return m_map ? gl::byteSize(m_map.desc()) : 0; }
 
 private:
@@ -156,6 +158,7 @@ private:
     LightFit m_fit = LightFit::Scene;
     std::optional<LightViews> m_drawn;  ///< what the map holds
     TexelFootprint m_footprint;
+    ShadowRange m_range;
 };
 
 }  // namespace
