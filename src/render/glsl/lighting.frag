@@ -38,7 +38,7 @@ void main() {
     vec3 albedo = unpackedAlbedo(surface.z);
     vec3 color = vec3(0.0);
 #if defined(EMISSION) || defined(EXCEPTIONS)
-    uint instance = b_triangles[surface.w].y;
+    uint instance = b_triangles[surface.w];
 #endif
 #ifdef EMISSION
     color += b_materials[b_instances[instance].material].emissive.rgb;
