@@ -75,9 +75,9 @@ std::vector<std::string> lightNames(const Domain& domain) {
 }
 
 Json techniqueJson(const TechniqueInfo& info) {
-    Json json{{"id", info.id},        {"family", familyName(info.family)}, {"name", info.name},
-              {"title", info.title},  {"summary", info.summary},           {"limits", info.limits},
-              {"papers", info.papers}};
+    Json json{{"id", info.id},         {"family", familyName(info.family)}, {"name", info.name},
+              {"title", info.title},   {"summary", info.summary},           {"limits", info.limits},
+              {"papers", info.papers}, {"uses_seed", info.usesSeed}};
     if (info.family == Family::Shadow)
         json["domain"] = {{"lights", lightNames(info.domain)},
                           {"soft", info.domain.soft},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -15,10 +17,21 @@ namespace ombrage {
 /// World size of a technique's texels at a receiver, and how far its filter reaches. Used only to say how near to an
 /// edge or a contact an error may lie (design section 7).
 struct TexelFootprint {
-    double texel_m = 0;              ///< sun: size of a texel; 0: the technique has no texels, pixels count instead
-    double texelPerMetre = 0;        ///< point and spot: texel size per metre of distance from the light
+    double texel_m = 0;        ///< sun: size of a texel; 0: the technique has no texels, pixels count instead
+    double texelPerMetre = 0;  ///< point and spot: texel size per metre of distance from the light
     double kernelRadius_texels = 0;
 };
+
+/// Where a technique has data at all. Points outside every one of the views, or farther from the camera, it cannot tell
+/// from lit ones. The default covers everything.
+struct ShadowRange {
+    std::vector<glm::dmat4> clipFromWorld;  ///< covers abs(x) <= w and abs(y) <= w where w > 0; none: everywhere
+    double farthest_m = std::numeric_limits<double>::infinity();  ///< along the camera's axis
+};
+
+/// Per pixel, whether the range covers its point. @param positions_world of the receivers (Reference::positions)
+std::vector<bool> inRange(const ShadowRange& range, const std::vector<glm::dvec3>& positions_world,
+                          const Camera& camera);
 
 /// Metric values by key; a missing value (std::nullopt) means that no pixel was valid, and gates nothing.
 using Metrics = std::map<std::string, std::optional<double>>;
@@ -26,32 +39,65 @@ using Metrics = std::map<std::string, std::optional<double>>;
 struct MetricInfo {
     std::string key;
     std::string unit;
-    std::string help;         ///< one sentence, the definition
+    std::string help;  ///< one sentence, the definition
     bool lowerIsBetter = true;
+    bool ofPoints = false;  ///< asks about points: has no meaning against means over pixels (TruthKind::Area)
 };
 
 /// Every metric that is measured, in the order of the report.
 const std::vector<MetricInfo>& metricInfos();
 
-/// Pixel class of an error, drawn in the class picture.
-enum class ErrorClass : std::uint8_t { None, ContactGap, Alias, Penumbra, Acne, Other };
+/// Why a pixel is wrong, in the order in which they are tried (docs/user/metrics.md).
+enum class ErrorClass : std::uint8_t {
+    None,
+    Missing,
+    ContactGap,
+    Alias,
+    OverBlur,
+    UnderBlur,
+    Acne,
+    Leak,
+    FalseShadow,
+    Other
+};
+inline constexpr std::size_t kErrorClassCount = 10;
+
+/// Its metric key, "contact_gap"; "right" of None.
+const char* errorClassKey(ErrorClass errorClass);
+
+/// What the measurement must know beside the picture and its truth.
+struct ShadowQuestion {
+    TexelFootprint footprint;
+    std::vector<bool> inDomain;  ///< per pixel, whether the technique's declared domain covers it; empty: everywhere
+    std::vector<bool> inRange;   ///< per pixel, whether the technique's range covers it; empty: everywhere
+    /// Without it shadow edges that lie on another surface are not found, and `terminator` and `leak_layered` are null.
+    const ShadowFeatures* features = nullptr;
+};
 
 struct ShadowMeasurement {
-    Metrics metrics;                       ///< mae rmse bias p95 psnr gain_db ssim wrong wrong_domain wrong_lit acne contact_gap ...
-    std::vector<ErrorClass> classes;       ///< per pixel
+    Metrics metrics;                                          ///< every key of metricInfos() but flip and noise
+    std::vector<ErrorClass> classes;                          ///< per pixel
+    std::array<std::size_t, kErrorClassCount> classCounts{};  ///< of the valid pixels; None: those that are not over
     std::size_t validCount = 0;
 };
 
 /// Holds a visibility image (one plane, linear, same size) against the truth.
-/// @param inDomain per pixel, whether the technique's declared domain covers it; empty: everywhere
 ShadowMeasurement measureShadow(std::span<const float> visibility, const ShadowTruth& truth, const Receivers& receivers,
-                                const TexelFootprint& footprint, const std::vector<bool>& inDomain = {});
+                                const ShadowQuestion& question = {});
+
+/// Least number of seeds that noiseOf() is asked with.
+inline constexpr int kNoiseSeeds = 8;
+
+/// Root of the mean over the valid pixels of the variance among pictures made with different seeds; null where no pixel
+/// is valid. @throws Error(Usage) for fewer than two pictures or sizes that differ.
+std::optional<double> noiseOf(const std::vector<std::vector<float>>& pictures, const std::vector<Mask>& mask);
 
 Metrics measureAo(std::span<const float> visibility, const AoTruth& truth);
 
 /// Mean structural similarity (Wang et al. 2004; 11x11 Gaussian, sigma 1.5, K1 = 0.01, K2 = 0.03, range 1) over the
 /// windows whose centre is valid. `mask` may be empty.
-std::optional<double> ssim(std::span<const float> a, std::span<const float> b, int width, int height, const std::vector<Mask>& mask);
+std::optional<double> ssim(std::span<const float> a, std::span<const float> b, int width, int height,
+                           const std::vector<Mask>& mask);
 
 /// LDR-FLIP (Andersson et al. 2020) of two sRGB or linear RGB images of one size: per-pixel error in [0,1].
 /// @param pixelsPerDegree 67 by default: 0.7 m from a 0.7 m wide 3840 pixel screen
@@ -59,10 +105,10 @@ Image flip(const Image& reference, const Image& test, double pixelsPerDegree = 6
 
 struct DiffResult {
     std::string metric;
-    std::optional<double> value;   ///< null: psnr of equal images
-    bool exact = false;            ///< every value is equal
+    std::optional<double> value;  ///< null: psnr of equal images
+    bool exact = false;           ///< every value is equal
     double p95 = 0, max = 0;
-    Image map;                     ///< per-pixel error, one plane
+    Image map;  ///< per-pixel error, one plane
 };
 
 /// Compares two images: metric is flip, rmse, mae, psnr or ssim. @throws Error(Usage) for sizes or planes that differ.

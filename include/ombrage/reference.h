@@ -76,6 +76,30 @@ struct ShadowTruth {
     double maskedShare = 0;        ///< of all pixels that are not sky
 };
 
+/// What a picture of the scene taken from the light would show around one pixel's point, at the height of the point's
+/// own surface: whether some of it is lit, and whether other surfaces shade some of it. Both: a shadow's edge passes
+/// there.
+struct LightSurroundings {
+    bool lit = false, shaded = false;
+    bool ownCasts = false;  ///< the point's own surface is among those that shade this light
+};
+
+/// What error classes ask of the truth beside ShadowTruth. The fields without rays are there; what costs rays is asked
+/// for the pixels where it matters. Pixels are indices of receivers that are not sky.
+struct ShadowFeatures {
+    std::vector<float> shadingCosine;  ///< n_s . l to the light's centre; 0 for sky
+
+    /// Looks at 16 rays to the light through a disk of `reach_m` about each pixel's ray. The point's own surface goes
+    /// on as its tangent plane; walls that rise from it in a crease, and what lies lower than twice the reach, are part of it.
+    std::function<std::vector<LightSurroundings>(const std::vector<std::uint32_t>& pixels,
+                                                 const std::vector<float>& reach_m)>
+        surroundings;
+
+    /// Bodies between the point and the light's centre: surfaces that the ray meets on their front or on their back,
+    /// whichever are more.
+    std::function<std::vector<int>(const std::vector<std::uint32_t>& pixels)> layers;
+};
+
 /// Truth of ambient visibility, of the kind asked for; `radius_m` is the scene's (+inf for T4).
 struct AoTruth {
     int width = 0, height = 0;
@@ -102,6 +126,13 @@ public:
     /// @throws Error(Usage) for a kind that is not a kind of shadows, and for Area, which needs receivers of its own.
     ShadowTruth shadow(const Receivers& receivers, const Camera& camera, int light,
                        const ReferenceOptions& options) const;
+
+    /// Of a light that shadow() was asked about with the same options. The reference, its scene and the receivers must
+    /// outlive the result. @throws Error(Usage) as shadow().
+    ShadowFeatures shadowFeatures(const Receivers& receivers, int light, const ReferenceOptions& options) const;
+
+    /// World positions of the receivers, (0,0,0) for sky.
+    std::vector<glm::dvec3> positions(const Receivers& receivers) const;
 
     /// @throws Error(Usage) for a kind that is not a kind of ambient occlusion, for Area, and for Own without
     /// integrand.

@@ -54,6 +54,9 @@ struct RenderSettings {
     Timing timing = Timing::Passes;
     std::uint64_t seed = 1;
     std::vector<std::string> show;         ///< pictures wanted beside the final one, by name; "all" for every one
+    /// False: nothing but the picture and what `show` names is wanted. RenderResult has no visibility, ao and ids then,
+    /// and lighting asks shadow techniques that can answer pixel by pixel (shadow/map) without an image between them.
+    bool images = true;
     /// Called before each frame with the share done in [0,1]; returning false ends the call with Error(Interrupted).
     std::function<bool(double)> progress;
     std::map<int, Image> givenVisibility;  ///< per light index: use this visibility in the shadow pipeline's place
@@ -81,6 +84,7 @@ struct RenderResult {
     std::map<int, Image> visibility;            ///< per light index, one plane
     std::optional<Image> ao;                    ///< one plane
     std::map<int, TexelFootprint> footprint;    ///< per light index
+    std::map<int, ShadowRange> range;           ///< per light index
     std::vector<std::uint32_t> instance, triangle;  ///< ids of the G-buffer, row 0 at the top
     std::vector<PassCost> passes;               ///< with Timing::Frame their gpu_ms are 0
     Stats gpu_ms;                               ///< sum of the passes; with Timing::Frame the frame

@@ -48,6 +48,7 @@ struct TechniqueInfo {
     std::vector<std::string> papers;
     std::string limits;  ///< one sentence: where it fails
     Domain domain;
+    bool usesSeed = false;  ///< its answer depends on RenderSettings::seed for some of its parameters or lights
     std::vector<PassInfo> passes;
     std::vector<ParamInfo> params;
 };

@@ -31,10 +31,14 @@ Image errorPicture(std::span<const float> measured, std::span<const float> truth
     return image;
 }
 
-Image classPicture(const std::vector<ErrorClass>& classes, const std::vector<Mask>& mask, int width, int height) {
+Image classPicture(const std::vector<ErrorClass>& classes, std::span<const float> truth, const std::vector<Mask>& mask,
+                   int width, int height) {
     Image image = Image::rgb(width, height, ColorSpace::Srgb);
-    for (std::size_t i = 0; i < image.pixelCount(); ++i)
-        setPixel(image, i, mask[i] == Mask::Valid ? kErrorClassColors[std::size_t(classes[i])].rgb : kMasked);
+    for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        const bool isRight = classes[i] == ErrorClass::None;
+        const float* rgb = isRight && truth[i] > 0.5f ? kRightAndLit : kErrorClassColors[std::size_t(classes[i])];
+        setPixel(image, i, mask[i] == Mask::Valid ? rgb : kMasked);
+    }
     return image;
 }
 

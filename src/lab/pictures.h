@@ -13,8 +13,10 @@ namespace ombrage {
 Image errorPicture(std::span<const float> measured, std::span<const float> truth, const std::vector<Mask>& mask,
                    int width, int height);
 
-/// The class of every error in its colour; pixels that are not measured are grey. sRGB.
-Image classPicture(const std::vector<ErrorClass>& classes, const std::vector<Mask>& mask, int width, int height);
+/// The class of every error in its colour (metrics/error_colors.h) on a dark ground that tells light from shadow;
+/// pixels that are not measured are grey. sRGB.
+Image classPicture(const std::vector<ErrorClass>& classes, std::span<const float> truth, const std::vector<Mask>& mask,
+                   int width, int height);
 
 /// One plane of plain numbers as an image.
 Image greyPicture(std::span<const float> values, int width, int height);

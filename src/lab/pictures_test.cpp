@@ -51,11 +51,15 @@ TEST(ErrorPicture, ShowsSignMaskAndNotANumber) {
 TEST(ClassPicture, HasOneColourPerClass) {
     const std::vector<ErrorClass> classes{ErrorClass::None, ErrorClass::Acne, ErrorClass::Other};
     const std::vector<Mask> mask{Mask::Valid, Mask::Valid, Mask::Disagree};
-    const Image image = classPicture(classes, mask, 3, 1);
-    EXPECT_EQ(image.at(0, 1, 0), kErrorClassColors[4].rgb[0]);
-    EXPECT_STREQ(kErrorClassColors[4].name, "acne");
+    const std::vector<float> truth{0, 1, 1};
+    const Image image = classPicture(classes, truth, mask, 3, 1);
+    EXPECT_EQ(image.at(0, 1, 0), kErrorClassColors[std::size_t(ErrorClass::Acne)][0]);
+    EXPECT_STREQ(errorClassKey(ErrorClass::Acne), "acne");
     EXPECT_EQ(image.at(0, 2, 0), kMaskedGrey);
     EXPECT_NE(image.at(0, 0, 0), image.at(0, 1, 0));
+    // The ground tells light from shadow.
+    EXPECT_GT(classPicture({ErrorClass::None}, std::vector<float>{1}, {Mask::Valid}, 1, 1).at(0, 0, 0),
+              image.at(0, 0, 0));
 }
 
 TEST(Pictures, DisplayedIsEncodedAndSaturated) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/scene_runner.h"
 
+#include <algorithm>
+
 #include <ombrage/error.h>
 #include <ombrage/version.h>
 
@@ -107,6 +109,7 @@ SceneRunner::ShadowCase& SceneRunner::shadowCase(int light, TruthKind kind) {
         made.picture = supersampled(settings);
     } else {
         made.truth = m_reference->shadow(seen, camera, light, options);
+        made.features = m_reference->shadowFeatures(seen, light, options);
         settings.givenVisibility[light] = greyPicture(made.truth.visibility, made.truth.width, made.truth.height);
         made.picture = displayed(m_renderer.render(settings).picture);
     }
@@ -153,11 +156,18 @@ void SceneRunner::measureShadowRun(const Measured& run, RunRecord& record) {
     ShadowTruth truth = known.truth;
     if (run.kind != TruthKind::Area)
         maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
-    const auto footprint = run.result.footprint.find(light);
-    const ShadowMeasurement measurement = measureShadow(
-        measured, truth, receivers(), footprint == run.result.footprint.end() ? TexelFootprint{} : footprint->second,
-        domainMask(run.planned.pipeline, m_moved.lights[std::size_t(light)], m_traits, receivers()));
+    ShadowQuestion question;
+    if (const auto texels = run.result.footprint.find(light); texels != run.result.footprint.end())
+        question.footprint = texels->second;
+    if (const auto range = run.result.range.find(light); range != run.result.range.end())
+        question.inRange =
+            inRange(range->second, m_reference->positions(receivers()), m_moved.cameras[std::size_t(m_camera)]);
+    question.inDomain = domainMask(run.planned.pipeline, m_moved.lights[std::size_t(light)], m_traits, receivers());
+    question.features = known.features ? &*known.features : nullptr;
+    const ShadowMeasurement measurement = measureShadow(measured, truth, receivers(), question);
     record.metrics = measurement.metrics;
+    record.metrics["noise"] =
+        measureNoise(run, truth.mask, [&](const RenderResult& result) { return result.visibility.at(light).plane(0); });
     const Image picture = displayed(run.result.picture);
     record.metrics["flip"] = meanOf(flip(known.picture, picture));
     record.truth =
@@ -170,11 +180,12 @@ void SceneRunner::measureShadowRun(const Measured& run, RunRecord& record) {
                                     errorPicture(measured, truth.visibility, truth.mask, truth.width, truth.height))}};
     if (run.kind == TruthKind::Area) {
         // Edges and causes are questions to points; a mean over the pixel has neither.
-        for (const char* key : {"over", "contact_gap", "alias", "penumbra", "acne", "other", "leak_mass"})
-            record.metrics.erase(key);
+        for (const MetricInfo& info : metricInfos())
+            if (info.ofPoints) record.metrics.erase(info.key);
     } else {
         record.images["classes"] =
-            save(run.name, "classes", classPicture(measurement.classes, truth.mask, truth.width, truth.height));
+            save(run.name, "classes",
+                 classPicture(measurement.classes, truth.visibility, truth.mask, truth.width, truth.height));
     }
 }
 
@@ -186,6 +197,8 @@ void SceneRunner::measureAoRun(const Measured& run, RunRecord& record) {
     if (run.kind != TruthKind::Area)
         maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
     record.metrics = measureAo(measured, truth);
+    record.metrics["noise"] =
+        measureNoise(run, truth.mask, [](const RenderResult& result) { return result.ao->plane(0); });
     record.truth =
         RunRecord::Truth{truthKindName(run.kind), truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
     record.images = {{"truth", known.truthPath},
@@ -193,6 +206,34 @@ void SceneRunner::measureAoRun(const Measured& run, RunRecord& record) {
                      {"visibility", save(run.name, "visibility", *run.result.ao)},
                      {"error", save(run.name, "error",
                                     errorPicture(measured, truth.visibility, truth.mask, truth.width, truth.height))}};
+}
+
+std::optional<double> SceneRunner::measureNoise(
+    const Measured& run, const std::vector<Mask>& mask,
+    const std::function<std::span<const float>(const RenderResult&)>& planeOf) {
+    const bool isValid = std::find(mask.begin(), mask.end(), Mask::Valid) != mask.end();
+    const Pipeline& pipeline = run.planned.pipeline;
+    if (!isValid) return std::nullopt;
+    if (std::none_of(pipeline.begin(), pipeline.end(),
+                     [](const TechniqueSpec& spec) { return technique(spec.id).usesSeed; }))
+        return 0.0;
+    RenderSettings settings = run.settings;
+    settings.frames = 1;
+    settings.warmupFrames = 0;
+    std::vector<std::vector<float>> pictures;
+    const auto keep = [&](const RenderResult& result) {
+        const std::span<const float> plane = planeOf(result);
+        pictures.emplace_back(plane.begin(), plane.end());
+    };
+    keep(run.result);
+    while (pictures.size() < std::size_t(kNoiseSeeds)) {
+        announce({});
+        ++settings.seed;
+        keep(m_renderer.render(settings));
+        // A hard light, or a pattern that is switched off: other seeds change nothing either.
+        if (pictures.back() == pictures.front()) return 0.0;
+    }
+    return noiseOf(pictures, mask);
 }
 
 void SceneRunner::measureAaRun(const Measured& run, RunRecord& record) {
@@ -248,7 +289,7 @@ std::vector<RunRecord> SceneRunner::run(const PlannedRun& planned) {
     std::vector<RunRecord> records;
     for (const TruthKind kind : planned.truths) {
         records.push_back(describe(planned, settings, result));
-        const Measured run{planned, result, kind, fileName(planned, kind)};
+        const Measured run{planned, settings, result, kind, fileName(planned, kind)};
         if (planned.family == Family::Shadow)
             measureShadowRun(run, records.back());
         else if (planned.family == Family::Ao)

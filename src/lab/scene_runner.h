@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include <ombrage/compare.h>
@@ -39,6 +40,7 @@ private:
         ShadowTruth truth;
         Image picture;  ///< as displayed
         std::string truthPath, picturePath;
+        std::optional<ShadowFeatures> features;  ///< none against means over pixels
     };
     struct AoCase {
         TruthKind kind = TruthKind::T1;
@@ -49,6 +51,7 @@ private:
     /// What one record is made of.
     struct Measured {
         const PlannedRun& planned;
+        const RenderSettings& settings;
         const RenderResult& result;
         TruthKind kind;
         std::string name;  ///< of its files
@@ -58,6 +61,9 @@ private:
     AoCase& aoCase(TruthKind kind, const Pipeline& pipeline);
     void measureShadowRun(const Measured& run, RunRecord& record);
     void measureAoRun(const Measured& run, RunRecord& record);
+    /// Variance among seeds of the visibility that `planeOf` takes from a result; 0 where no technique uses the seed.
+    std::optional<double> measureNoise(const Measured& run, const std::vector<Mask>& mask,
+                                       const std::function<std::span<const float>(const RenderResult&)>& planeOf);
     void measureAaRun(const Measured& run, RunRecord& record);
     /// What the settings give in a picture kAreaGrid times as wide and high, averaged over each pixel, as displayed.
     Image supersampled(RenderSettings settings);

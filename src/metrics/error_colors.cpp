@@ -30,4 +30,10 @@ void errorColor(float position, float rgb[3]) {
     for (int c = 0; c < 3; ++c) rgb[c] = ramp[i][c] + (ramp[i + 1][c] - ramp[i][c]) * (t - float(i));
 }
 
+const char* errorClassKey(ErrorClass errorClass) {
+    static constexpr const char* kKeys[kErrorClassCount] = {
+        "right", "missing", "contact_gap", "alias", "over_blur", "under_blur", "acne", "leak", "false_shadow", "other"};
+    return kKeys[std::size_t(errorClass)];
+}
+
 }  // namespace ombrage

@@ -64,6 +64,26 @@ void measureImage(std::span<const float> visibility, std::span<const float> trut
     metrics["ssim"] = ssim(cleaned, truth, width, height, mask);
 }
 
+std::optional<double> noiseOf(const std::vector<std::vector<float>>& pictures, const std::vector<Mask>& mask) {
+    const auto fits = [&](const std::vector<float>& picture) { return picture.size() == mask.size(); };
+    if (pictures.size() < 2 || !std::all_of(pictures.begin(), pictures.end(), fits))
+        throw Error(ErrorCode::Usage, "noise is measured among two or more pictures of one size");
+    const double count = double(pictures.size());
+    double variances = 0, valid = 0;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        if (mask[i] != Mask::Valid) continue;
+        double mean = 0, squares = 0;
+        for (const std::vector<float>& picture : pictures) mean += double(picture[i]) / count;
+        for (const std::vector<float>& picture : pictures) {
+            const double d = double(picture[i]) - mean;
+            squares += d * d;
+        }
+        variances += squares / (count - 1);
+        ++valid;
+    }
+    return valid > 0 ? std::optional<double>(std::sqrt(variances / valid)) : std::nullopt;
+}
+
 Metrics measureAo(std::span<const float> visibility, const AoTruth& truth) {
     Metrics metrics;
     measureImage(visibility, truth.visibility, truth.width, truth.height, truth.mask, metrics);

@@ -1,44 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <ombrage/error.h>
 
 #include "metrics/distance_transform.h"
+#include "metrics/error_classes.h"
 #include "metrics/image_metrics.h"
 #include "metrics/shadow_edges.h"
 
 namespace ombrage {
 namespace {
 
-/// An error below it is not counted, beside three standard errors of the truth.
-double tolerance(const ShadowTruth& truth) {
-    return truth.soft ? 0.05 : 0.1;
-}
-
 /// Cosine below which the question itself is ill-posed: rounding of the normal decides the answer.
 constexpr float kGrazing = 0.02f;
-
-/// World size of a texel at the receiver; of a pixel for techniques without texels.
-double texelSize_m(const TexelFootprint& footprint, const ShadowTruth& truth, const Receivers& receivers,
-                   std::size_t i) {
-    if (footprint.texel_m > 0) return footprint.texel_m;
-    if (footprint.texelPerMetre > 0) return footprint.texelPerMetre * double(truth.lightDistance_m[i]);
-    return double(receivers.pixelSize_m[i]);
-}
-
-/// How far in pixels the picture of a hard edge may lie from the edge.
-double aliasReach_px(const TexelFootprint& footprint, const ShadowTruth& truth, const Receivers& receivers,
-                     std::size_t i) {
-    constexpr double kLeast_px = 2;
-    if (!(footprint.texel_m > 0) && !(footprint.texelPerMetre > 0)) return kLeast_px;
-    if (!(receivers.pixelSize_m[i] > 0)) return kLeast_px;
-    // A texel faces the light, so its footprint on the receiver is longer by 1/cosine; limited, because at grazing
-    // light everything would count as near to an edge.
-    const double stretched_m = texelSize_m(footprint, truth, receivers, i) / std::max(double(truth.cosine[i]), 0.1);
-    return std::max(kLeast_px, stretched_m / double(receivers.pixelSize_m[i]) * (1 + footprint.kernelRadius_texels));
-}
 
 /// Share with a common denominator; null where that is 0.
 struct Share {
@@ -50,11 +25,25 @@ struct Share {
     std::optional<double> value() const { return whole > 0 ? std::optional<double>(part / whole) : std::nullopt; }
 };
 
+/// Root of a weighted mean of squares.
+struct RootMeanSquare {
+    double squares = 0, weight = 0;
+    void add(double value, double w = 1) {
+        squares += w * value * value;
+        weight += w;
+    }
+    std::optional<double> value() const {
+        return weight > 0 ? std::optional<double>(std::sqrt(squares / weight)) : std::nullopt;
+    }
+};
+
 void check(std::span<const float> visibility, const ShadowTruth& truth, const Receivers& receivers,
-           const std::vector<bool>& inDomain) {
+           const ShadowQuestion& question) {
     const std::size_t n = std::size_t(truth.width) * std::size_t(truth.height);
+    const auto fits = [&](const std::vector<bool>& mask) { return mask.empty() || mask.size() == n; };
     if (visibility.size() != n || truth.visibility.size() != n || truth.mask.size() != n ||
-        receivers.pixelSize_m.size() != n || (!inDomain.empty() && inDomain.size() != n))
+        receivers.pixelSize_m.size() != n || !fits(question.inDomain) || !fits(question.inRange) ||
+        (question.features && question.features->shadingCosine.size() != n))
         throw Error(ErrorCode::Usage, "the picture, its truth and the receivers differ in size",
                     "The truth is " + std::to_string(truth.width) + "x" + std::to_string(truth.height) + ".");
 }
@@ -75,66 +64,99 @@ std::optional<double> leakMass(std::span<const float> visibility, const ShadowTr
     return count > 0 ? std::optional<double>(sum / count) : std::nullopt;
 }
 
+/// Area between the true hard edges and the picture's, over the length of the true ones.
+std::optional<double> edgeDisplacement_px(std::span<const float> visibility, const ShadowTruth& truth,
+                                          const Receivers& receivers, const ErrorZones& zones,
+                                          const ShadowMeasurement& measured, const ShadowQuestion& question) {
+    const double length_px = hardEdgeLength_px(truth, receivers);
+    if (!(length_px > 0)) return std::nullopt;
+    double area = 0;
+    for (std::size_t i = 0; i < visibility.size(); ++i) {
+        const bool fits = measured.classes[i] == ErrorClass::None || measured.classes[i] == ErrorClass::Alias;
+        if (truth.mask[i] != Mask::Valid || !fits) continue;
+        if (double(zones.toHardEdge_px[i]) > aliasReach_px(question.footprint, truth, receivers, i)) continue;
+        const float v = measuredValue(visibility[i], truth.visibility[i]);
+        area += (v > 0.5f) != (truth.visibility[i] > 0.5f) ? 1 : 0;
+    }
+    return area / length_px;
+}
+
+/// Share of the pixels that receive this light's shadow and are lit by n_s, although n_g turns away.
+std::optional<double> terminatorShare(const ShadowTruth& truth, const ShadowFeatures& features) {
+    Share share;
+    for (std::size_t i = 0; i < truth.mask.size(); ++i)
+        if (truth.mask[i] == Mask::Valid || truth.mask[i] == Mask::BelowHorizon)
+            share.add(features.shadingCosine[i] > 0 && truth.cosine[i] <= 0);
+    return share.value();
+}
+
+/// Share of the valid pixels that leak under two or more blockers.
+std::optional<double> layeredLeaks(const ShadowMeasurement& measured, const ShadowFeatures& features) {
+    if (measured.validCount == 0) return std::nullopt;
+    std::vector<std::uint32_t> leaks;
+    for (std::size_t i = 0; i < measured.classes.size(); ++i)
+        if (measured.classes[i] == ErrorClass::Leak) leaks.push_back(std::uint32_t(i));
+    const std::vector<int> layers = leaks.empty() ? std::vector<int>() : features.layers(leaks);
+    const auto several = std::count_if(layers.begin(), layers.end(), [](int n) { return n >= 2; });
+    return double(several) / double(measured.validCount);
+}
+
 }  // namespace
 
 ShadowMeasurement measureShadow(std::span<const float> visibility, const ShadowTruth& truth, const Receivers& receivers,
-                                const TexelFootprint& footprint, const std::vector<bool>& inDomain) {
-    check(visibility, truth, receivers, inDomain);
+                                const ShadowQuestion& question) {
+    check(visibility, truth, receivers, question);
     const std::size_t n = visibility.size();
-    const double tau = tolerance(truth);
     ShadowMeasurement result;
-    result.classes.assign(n, ErrorClass::None);
-    measureImage(visibility, truth.visibility, truth.width, truth.height, truth.mask, result.metrics);
-    const std::vector<float> toEdge = distanceTransform(hardEdges(truth, receivers), truth.width, truth.height);
+    Metrics& m = result.metrics;
+    measureImage(visibility, truth.visibility, truth.width, truth.height, truth.mask, m);
+    const ErrorZones zones = errorZones(truth, receivers);
+    result.classes = classify(visibility, truth, receivers, zones, question);
 
-    Share wrong, wrongDomain, wrongLit, over;
-    std::array<Share, 6> classes;
+    const std::vector<float> hard = hardShadow(truth);
+    Share wrong, wrongDomain, wrongLit;
+    RootMeanSquare lit, penumbra, hardPenumbra;
     for (std::size_t i = 0; i < n; ++i) {
         if (truth.mask[i] != Mask::Valid) continue;
         ++result.validCount;
+        ++result.classCounts[std::size_t(result.classes[i])];
         const double v = double(truth.visibility[i]);
         const double e = double(measuredValue(visibility[i], truth.visibility[i])) - v;
-
+        lit.add(e, double(truth.irradiance[i]));
+        if (zones.penumbra[i]) {
+            penumbra.add(e);
+            hardPenumbra.add(double(hard[i]) - v);
+        }
         // Plainly wrong pixels, without the grazing band.
-        if (truth.cosine[i] >= kGrazing) {
-            const bool isWrong = std::abs(e) > 0.5;
-            wrong.add(isWrong);
-            wrongLit.add(isWrong, double(truth.irradiance[i]));
-            if (inDomain.empty() || inDomain[i]) wrongDomain.add(isWrong);
-        }
-
-        // Pixels over the tolerance, each in the first class that holds (design section 7).
-        const bool isOver = std::abs(e) > tau + 3 * double(truth.standardError[i]);
-        over.add(isOver);
-        ErrorClass c = ErrorClass::None;
-        if (isOver) {
-            const double contact_m = 4 * texelSize_m(footprint, truth, receivers, i);
-            if (e > tau && v == 0 && double(truth.blockerDistance_m[i]) < contact_m)
-                c = ErrorClass::ContactGap;
-            else if (double(toEdge[i]) <= aliasReach_px(footprint, truth, receivers, i))
-                c = ErrorClass::Alias;
-            else if (truth.soft && v > 0 && v < 1)
-                c = ErrorClass::Penumbra;
-            else if (e < -tau && v == 1)
-                c = ErrorClass::Acne;
-            else
-                c = ErrorClass::Other;
-        }
-        result.classes[i] = c;
-        for (std::size_t k = 0; k < classes.size(); ++k) classes[k].add(std::size_t(c) == k);
+        if (truth.cosine[i] < kGrazing) continue;
+        const bool isWrong = std::abs(e) > 0.5;
+        wrong.add(isWrong);
+        wrongLit.add(isWrong, double(truth.irradiance[i]));
+        const bool inDomain = question.inDomain.empty() || question.inDomain[i];
+        const bool inRange = question.inRange.empty() || question.inRange[i];
+        if (inDomain && inRange) wrongDomain.add(isWrong);
     }
-
-    Metrics& m = result.metrics;
     m["wrong"] = wrong.value();
     m["wrong_domain"] = wrongDomain.value();
     m["wrong_lit"] = wrongLit.value();
-    m["over"] = over.value();
-    m["contact_gap"] = classes[std::size_t(ErrorClass::ContactGap)].value();
-    m["alias"] = classes[std::size_t(ErrorClass::Alias)].value();
-    m["penumbra"] = classes[std::size_t(ErrorClass::Penumbra)].value();
-    m["acne"] = classes[std::size_t(ErrorClass::Acne)].value();
-    m["other"] = classes[std::size_t(ErrorClass::Other)].value();
+    m["rmse_lit"] = lit.value();
+    m["rmse_penumbra"] = penumbra.value();
+    m["hard_ratio"] = std::nullopt;
+    if (const auto own = penumbra.value(), plain = hardPenumbra.value(); own && plain && *plain > 0)
+        m["hard_ratio"] = *own / *plain;
+
+    // Shares of the classes, and of those that belong together.
+    const auto share = [&](std::size_t count) {
+        return result.validCount > 0 ? std::optional<double>(double(count) / double(result.validCount)) : std::nullopt;
+    };
+    const auto counted = [&](ErrorClass c) { return result.classCounts[std::size_t(c)]; };
+    m["over"] = share(result.validCount - counted(ErrorClass::None));
+    for (std::size_t c = 1; c < kErrorClassCount; ++c) m[errorClassKey(ErrorClass(c))] = share(result.classCounts[c]);
+    m["penumbra"] = share(counted(ErrorClass::OverBlur) + counted(ErrorClass::UnderBlur));
     m["leak_mass"] = leakMass(visibility, truth);
+    m["edge_px"] = edgeDisplacement_px(visibility, truth, receivers, zones, result, question);
+    m["leak_layered"] = question.features ? layeredLeaks(result, *question.features) : std::nullopt;
+    m["terminator"] = question.features ? terminatorShare(truth, *question.features) : std::nullopt;
     return result;
 }
 

@@ -9,56 +9,14 @@
 #include <ombrage/metrics.h>
 
 #include "metrics/distance_transform.h"
+#include "metrics/planted_case.h"
 #include "metrics/shadow_edges.h"
 
-namespace ombrage {
+namespace ombrage::test {
 namespace {
 
-constexpr int kWidth = 64, kHeight = 48;
-constexpr std::size_t kCount = std::size_t(kWidth) * kHeight;
-
-/// A level floor seen from above, in shadow from column `umbra` on; pixels of 1 cm, a sun overhead, a blocker 1 m away.
-struct Case {
-    Receivers receivers;
-    ShadowTruth truth;
-    std::vector<float> picture;
-
-    explicit Case(int umbra = kWidth / 2) {
-        receivers.width = truth.width = kWidth;
-        receivers.height = truth.height = kHeight;
-        receivers.instance.assign(kCount, 0);
-        receivers.triangle.assign(kCount, 0);
-        receivers.barycentric.assign(kCount, glm::vec2(0));
-        receivers.normal.assign(kCount, glm::vec3(0, 1, 0));
-        receivers.shadingNormal = receivers.normal;
-        receivers.distance_m.assign(kCount, 5.0f);
-        receivers.pixelSize_m.assign(kCount, 0.01f);
-        truth.visibility.assign(kCount, 1.0f);
-        truth.standardError.assign(kCount, 0.0f);
-        truth.irradianceShare.assign(kCount, 1.0f);
-        truth.irradiance.assign(kCount, 1.0f);
-        truth.cosine.assign(kCount, 1.0f);
-        truth.blockerDistance_m.assign(kCount, std::numeric_limits<float>::infinity());
-        truth.lightDistance_m.assign(kCount, std::numeric_limits<float>::infinity());
-        truth.blockerInstance.assign(kCount, kNoHit);
-        truth.mask.assign(kCount, Mask::Valid);
-        for (int y = 0; y < kHeight; ++y)
-            for (int x = umbra; x < kWidth; ++x) {
-                truth.visibility[at(x, y)] = 0;
-                truth.blockerDistance_m[at(x, y)] = 1;
-                truth.blockerInstance[at(x, y)] = 1;
-            }
-        picture = truth.visibility;
-    }
-
-    static std::size_t at(int x, int y) { return std::size_t(y) * kWidth + std::size_t(x); }
-
-    ShadowMeasurement measure(const TexelFootprint& footprint = {}, const std::vector<bool>& inDomain = {}) const {
-        return measureShadow(picture, truth, receivers, footprint, inDomain);
-    }
-};
-
-const std::vector<std::string> kClasses{"contact_gap", "alias", "penumbra", "acne", "other"};
+const std::vector<std::string> kClasses{"missing", "contact_gap", "alias",        "over_blur", "under_blur",
+                                        "acne",    "leak",        "false_shadow", "other"};
 
 /// Every over pixel is of the one class.
 void expectOnly(const ShadowMeasurement& m, const std::string& key, double share) {
@@ -70,7 +28,8 @@ TEST(ShadowMetrics, TheTruthItselfHasNoError) {
     const Case c;
     const ShadowMeasurement m = c.measure();
     EXPECT_EQ(m.validCount, kCount);
-    for (const char* key : {"mae", "rmse", "bias", "p95", "wrong", "wrong_domain", "wrong_lit", "over", "leak_mass"})
+    for (const char* key : {"mae", "rmse", "bias", "p95", "wrong", "wrong_domain", "wrong_lit", "over", "leak_mass",
+                            "rmse_lit", "edge_px"})
         EXPECT_EQ(*m.metrics.at(key), 0) << key;
     EXPECT_EQ(*m.metrics.at("psnr"), 99);
     EXPECT_EQ(*m.metrics.at("ssim"), 1);
@@ -83,7 +42,9 @@ TEST(ShadowMetrics, StripesInTheLightAreAcne) {
     int planted = 0;
     for (int y = 0; y < kHeight; y += 3)
         for (int x = 0; x < 20; ++x, ++planted) c.picture[c.at(x, y)] = 0;
-    const ShadowMeasurement m = c.measure();
+    // Without texels there is no depth that the surface itself could lie at.
+    expectOnly(c.measure(), "false_shadow", double(planted) / kCount);
+    const ShadowMeasurement m = c.measure(withTexels(kFineTexels));
     expectOnly(m, "acne", double(planted) / kCount);
     EXPECT_EQ(m.classes[c.at(5, 3)], ErrorClass::Acne);
     EXPECT_DOUBLE_EQ(*m.metrics.at("wrong"), double(planted) / kCount);
@@ -95,21 +56,23 @@ TEST(ShadowMetrics, ADisplacedEdgeIsAlias) {
     for (int y = 0; y < kHeight; ++y) c.picture[c.at(kWidth / 2 - 1, y)] = c.picture[c.at(kWidth / 2 - 2, y)] = 0;
     expectOnly(c.measure(), "alias", 2.0 / kWidth);
 
-    // Ten pixels: alias for a texel as large, acne for a fine map.
+    // Ten pixels: alias for a texel as large, a false shadow without texels.
     for (int y = 0; y < kHeight; ++y)
         for (int x = kWidth / 2 - 10; x < kWidth / 2; ++x) c.picture[c.at(x, y)] = 0;
     TexelFootprint coarse;
     coarse.texel_m = 0.1;
-    expectOnly(c.measure(coarse), "alias", 10.0 / kWidth);
+    expectOnly(c.measure(withTexels(coarse)), "alias", 10.0 / kWidth);
     const ShadowMeasurement fine = c.measure();
     EXPECT_DOUBLE_EQ(*fine.metrics.at("alias"), 3.0 / kWidth);
-    EXPECT_DOUBLE_EQ(*fine.metrics.at("acne"), 7.0 / kWidth);
+    EXPECT_DOUBLE_EQ(*fine.metrics.at("false_shadow"), 7.0 / kWidth);
 }
 
 TEST(ShadowMetrics, KernelDistanceAndGrazingLightWidenTheAliasZone) {
     Case c;
     for (int y = 0; y < kHeight; ++y) c.picture[c.at(kWidth / 2 - 9, y)] = 0;  // 8 px from the edge pixel
-    const auto alias = [&](const TexelFootprint& footprint) { return *c.measure(footprint).metrics.at("alias") > 0; };
+    const auto alias = [&](const TexelFootprint& footprint) {
+        return *c.measure(withTexels(footprint)).metrics.at("alias") > 0;
+    };
     TexelFootprint f;
     f.texel_m = 0.02;  // 2 pixels
     EXPECT_FALSE(alias(f));
@@ -141,7 +104,7 @@ TEST(ShadowMetrics, LightUnderANearBlockerIsAContactGap) {
     // With fine texels the blocker is far, and the same pixels are a leak.
     TexelFootprint fine;
     fine.texel_m = 0.005;
-    expectOnly(c.measure(fine), "other", share);
+    expectOnly(c.measure(withTexels(fine)), "leak", share);
     // At the edge, too, it is a contact gap first.
     for (int y = 0; y < kHeight; ++y) {
         c.picture[c.at(kWidth / 2, y)] = 1;
@@ -150,11 +113,11 @@ TEST(ShadowMetrics, LightUnderANearBlockerIsAContactGap) {
     expectOnly(c.measure(), "contact_gap", share + 1.0 / kWidth);
 }
 
-TEST(ShadowMetrics, LightFarInsideTheUmbraIsOther) {
+TEST(ShadowMetrics, LightFarInsideTheUmbraIsALeak) {
     Case c;
     for (int y = 0; y < kHeight; ++y) c.picture[c.at(50, y)] = 0.5f;
     const ShadowMeasurement m = c.measure();
-    expectOnly(m, "other", 1.0 / kWidth);
+    expectOnly(m, "leak", 1.0 / kWidth);
     // The interior begins 5 px beyond the last lit column: columns 36 to 63.
     EXPECT_DOUBLE_EQ(*m.metrics.at("leak_mass"), 0.5 / 28);
     // Half is not wrong yet.
@@ -173,6 +136,7 @@ TEST(ShadowMetrics, TheWidthOfASoftShadowIsPenumbra) {
     const ShadowMeasurement m = c.measure();
     EXPECT_GT(*m.metrics.at("penumbra"), 0.2);
     EXPECT_DOUBLE_EQ(*m.metrics.at("penumbra"), *m.metrics.at("over"));
+    expectOnly(m, "under_blur", *m.metrics.at("over"));
     // The same in a hard truth's tolerance is smaller, and three standard errors forgive more.
     std::fill(c.truth.standardError.begin(), c.truth.standardError.end(), 1.0f);
     EXPECT_EQ(*c.measure().metrics.at("over"), 0);
@@ -206,11 +170,19 @@ TEST(ShadowMetrics, WrongInTheDomainAndInTheLight) {
         c.truth.irradiance[c.at(0, y)] = 0;
         c.truth.irradiance[c.at(1, y)] = 3;
     }
-    const Metrics m = c.measure({}, inDomain).metrics;
+    ShadowQuestion question;
+    question.inDomain = inDomain;
+    const Metrics m = c.measure(question).metrics;
     EXPECT_DOUBLE_EQ(*m.at("wrong"), 2.0 / kWidth);
     EXPECT_DOUBLE_EQ(*m.at("wrong_domain"), 1.0 / (kWidth - 1));
     EXPECT_DOUBLE_EQ(*m.at("wrong_lit"), 3.0 / (kWidth + 1));
-    EXPECT_FALSE(c.measure({}, std::vector<bool>(kCount, false)).metrics.at("wrong_domain"));
+    EXPECT_DOUBLE_EQ(*m.at("rmse_lit"), std::sqrt(3.0 / (kWidth + 1)));
+    // The range bounds the domain, too.
+    question.inRange = inDomain;
+    question.inDomain.clear();
+    EXPECT_DOUBLE_EQ(*c.measure(question).metrics.at("wrong_domain"), 1.0 / (kWidth - 1));
+    question.inDomain.assign(kCount, false);
+    EXPECT_FALSE(c.measure(question).metrics.at("wrong_domain"));
 }
 
 TEST(ShadowMetrics, ClassesPartitionOver) {
@@ -222,10 +194,19 @@ TEST(ShadowMetrics, ClassesPartitionOver) {
         if (i % 11 == 0) c.truth.blockerDistance_m[i] = 0.01f;
         if (i % 13 == 0) c.truth.mask[i] = Mask::Disagree;
     }
-    const ShadowMeasurement m = c.measure();
+    ShadowQuestion question;
+    for (std::size_t i = 0; i < kCount; ++i) question.inRange.push_back(i % 7 != 0);
+    const ShadowMeasurement m = c.measure(question);
+    // Exactly: every valid pixel is counted once, and all that are not right are over.
+    std::size_t counted = 0;
+    for (const std::size_t count : m.classCounts) counted += count;
+    EXPECT_EQ(counted, m.validCount);
+    const std::size_t right = m.classCounts[std::size_t(ErrorClass::None)];
+    EXPECT_DOUBLE_EQ(*m.metrics.at("over"), double(m.validCount - right) / double(m.validCount));
+    EXPECT_DOUBLE_EQ(*m.metrics.at("penumbra"), *m.metrics.at("over_blur") + *m.metrics.at("under_blur"));
     double sum = 0;
     for (const auto& key : kClasses) sum += *m.metrics.at(key);
-    // 1e-12: the sum of five shares.
+    // 1e-12: the sum of nine shares.
     EXPECT_NEAR(sum, *m.metrics.at("over"), 1e-12);
     EXPECT_GT(sum, 0.5);
     for (std::size_t i = 0; i < kCount; ++i)
@@ -262,7 +243,16 @@ TEST(ShadowMetrics, DegenerateAnswersAreSeen) {
 
 TEST(ShadowMetrics, SizesMustAgree) {
     Case c;
-    EXPECT_THROW(c.measure({}, std::vector<bool>(3)), Error);
+    ShadowQuestion question;
+    question.inDomain.resize(3);
+    EXPECT_THROW(c.measure(question), Error);
+    question.inDomain.clear();
+    question.inRange.resize(3);
+    EXPECT_THROW(c.measure(question), Error);
+    question.inRange.clear();
+    const ShadowFeatures features;
+    question.features = &features;
+    EXPECT_THROW(c.measure(question), Error);
     c.picture.pop_back();
     EXPECT_THROW(c.measure(), Error);
 }
@@ -274,7 +264,7 @@ TEST(ShadowMetrics, EveryKeyIsDocumentedOnce) {
         EXPECT_FALSE(info.help.empty()) << info.key;
     }
     for (const auto& [key, value] : Case().measure().metrics) EXPECT_TRUE(keys.count(key)) << key;
-    EXPECT_EQ(keys.size(), Case().measure().metrics.size() + 1) << "all but flip";
+    EXPECT_EQ(keys.size(), Case().measure().metrics.size() + 2) << "all but flip and noise";
 }
 
 TEST(HardEdges, LieWhereTheShadowEndsAndNotWhereTheSurfaceDoes) {
@@ -313,4 +303,4 @@ TEST(DistanceTransform, IsExact) {
 }
 
 }  // namespace
-}  // namespace ombrage
+}  // namespace ombrage::test

@@ -54,12 +54,13 @@ struct Renderer::Impl {
 
     void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
-    TargetPool::Target renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
+    LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
     TargetPool::Target renderAo(FrameContext& frame, const Pipeline& pipeline);
     TargetPool::Target applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input);
     /// Frees what only earlier calls used, so that what a call costs does not depend on them.
     void forgetEarlierPipelines(const RenderSettings& settings, const RenderRequest& request);
-    void readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced);
+    void readBackImages(RenderResult& result, const FrameTargets& produced);
+    void readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced, bool images);
     RenderResult render(const RenderSettings& settings);
 };
 
@@ -68,6 +69,12 @@ namespace {
 /// Whether the pipeline changes nothing, so that no pass need run for it.
 bool isNeutral(const Pipeline& pipeline) {
     return pipeline.size() == 1 && pipeline[0].params.empty() && techniqueEntry(pipeline[0].id).traits.neutral;
+}
+
+/// Whether lighting may ask the shadow technique itself, as nobody wants its image.
+bool mayLookUp(const RenderSettings& settings) {
+    return !settings.images && settings.show.empty() && settings.composite == Composite::Lighting &&
+           settings.shadow.size() == 1 && techniqueEntry(settings.shadow[0].id).answersAnywhere;
 }
 
 /// What a pipeline that changes nothing leaves: visibility 1.
@@ -137,14 +144,20 @@ TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& f
     return output;
 }
 
-TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings,
-                                                const LightFrame& light) {
+LitLight Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light) {
     const auto given = settings.givenVisibility.find(light.index);
-    if (given == settings.givenVisibility.end() && isNeutral(settings.shadow)) return nullptr;
+    const bool isGiven = given != settings.givenVisibility.end();
+    if (!isGiven && isNeutral(settings.shadow)) return {light, nullptr};
+    if (!isGiven && mayLookUp(settings)) {
+        composer.bindLight(light, gpuScene->flat().instances.size());
+        const auto& techniques = slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame);
+        auto& technique = static_cast<ShadowLookupTechnique&>(*techniques.front());
+        return {light, nullptr, &technique, technique.lookup(frame, light)};
+    }
     auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
-    if (given != settings.givenVisibility.end()) {
+    if (isGiven) {
         uploadPlane(*visibility, given->second.plane(0));
-        return visibility;
+        return {light, visibility};
     }
     {
         const auto pass = frame.pass("clear visibility");
@@ -154,15 +167,13 @@ TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const Rende
         target.clearColor(0, glm::vec4(1.0f));
     }
     composer.bindLight(light, gpuScene->flat().instances.size());
-    recorder.lightType = light.light->type;
     for (const auto& technique : slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame)) {
         if (technique->entry().family == Family::Shadow)
             static_cast<ShadowTechnique&>(*technique).render(frame, light, *visibility);
         else
             visibility = applyFilter(frame, *technique, visibility);
     }
-    recorder.lightType.reset();
-    return visibility;
+    return {light, visibility};
 }
 
 TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline& pipeline) {
@@ -193,15 +204,15 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
         LightFrame light{index, &frame.scene->lights[std::size_t(index)]};
         light.position = glm::vec3(light.light->position - gpuScene->origin());
         light.direction = light.light->direction;
-        recorder.suffix = index == request.lights.front() ? "" : "@" + light.light->name;
-        lights.push_back({light, renderShadow(frame, settings, light)});
+        const FrameContext::LightScope scope(frame, light, index == request.lights.front());
+        lights.push_back(renderShadow(frame, settings, light));
         produced.visibility[index] = lights.back().visibility;
-        recorder.suffix.clear();
     }
     produced.ao = renderAo(frame, settings.ao);
 
     if (!isNeutral(settings.indirect)) {
-        produced.indirect = targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
+        produced.indirect =
+            targets.take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "indirect");
         for (const auto& technique : slots.get("indirect", settings.indirect, frame))
             static_cast<IndirectTechnique&>(*technique).render(frame, *produced.indirect);
     }
@@ -216,13 +227,19 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
     return produced;
 }
 
-void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced) {
-    const TraceScope trace("read back");
-    result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
+void Renderer::Impl::readBackImages(RenderResult& result, const FrameTargets& produced) {
     for (const auto& [index, texture] : produced.visibility)
         result.visibility[index] = texture ? readColor(*texture, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
     result.ao = produced.ao ? readColor(*produced.ao, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
     readIds(*gbuffer, gpuScene->flat(), result.instance, result.triangle);
+}
+
+void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced,
+                              bool images) {
+    const TraceScope trace("read back");
+    result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
+    if (!images) return;
+    readBackImages(result, produced);
 
     auto& shown = recorder.shown;
     const auto offer = [&](const std::string& name, auto&& make) {
@@ -293,8 +310,6 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     recorder.warnings = request.warnings;
     // Shaders of --shader-dir that changed; one that fails to compile keeps its old version and says so.
     for (const std::string& message : shaders->reload()) recorder.warnings.push_back(message);
-    recorder.suffix.clear();
-    recorder.lightType.reset();
     recorder.blocks.clear();
     recorder.shown.clear();
     recorder.wanted = std::set<std::string>(settings.show.begin(), settings.show.end());
@@ -347,7 +362,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     previousView = frame.view;
     hasPreviousView = true;
 
-    readBack(result, frame, produced);
+    readBack(result, frame, produced, settings.images || !settings.show.empty());
     for (const std::string& name : order) {
         PassCost cost{name, statsOf(passTimes[name]), 0, 0, passTimes[name]};
         for (const auto& work : recorder.passes)
@@ -367,8 +382,10 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         if (settings.givenVisibility.count(index) == 0)
             for (const auto& technique : slots.get(fmt::format("shadow {}", index), settings.shadow, frame))
                 if (technique->entry().family == Family::Shadow &&
-                    !static_cast<ShadowTechnique&>(*technique).refinesInput())
+                    !static_cast<ShadowTechnique&>(*technique).refinesInput()) {
                     result.footprint[index] = static_cast<ShadowTechnique&>(*technique).footprint();
+                    result.range[index] = static_cast<ShadowTechnique&>(*technique).range();
+                }
     result.warnings = recorder.warnings;
     result.debugMessages = context->takeDebugMessages();
     recorder.blocks.clear();

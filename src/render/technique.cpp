@@ -6,6 +6,8 @@
 
 #include <ombrage/error.h>
 
+#include "render/frame_context.h"
+
 namespace ombrage {
 
 namespace detail {
@@ -75,6 +77,23 @@ std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec) {
     return technique;
 }
 
+std::vector<std::pair<std::string, std::string>> includeOf(const ShadowLookup& lookup) {
+    return {{kShadowLookupPath, "#include \"" + lookup.path + "\"\n"}};
+}
+
+void ShadowLookupTechnique::render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) {
+    const ShadowLookup at = lookup(frame, light);
+    const auto pass = frame.pass("visibility");
+    const gl::Framebuffer target({{&visibility}}, {&frame.gbuffer->depth}, entry().id().c_str());
+    target.bind();
+    const gl::Program& program = frame.program(
+        *this, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/visibility.frag"}},
+        at.defines, includeOf(at));
+    at.bind(program);
+    frame.bindGBuffer();
+    frame.drawSurfaces();
+}
+
 const char* familyName(Family family) {
     switch (family) {
         case Family::Shadow:
@@ -105,8 +124,8 @@ const std::vector<TechniqueInfo>& techniques() {
         std::vector<TechniqueInfo> made;
         for (const TechniqueEntry* entry : techniqueEntries()) {
             const TechniqueTraits& t = entry->traits;
-            TechniqueInfo info{entry->id(), entry->family, entry->name, t.title,  t.summary,
-                               t.papers,    t.limits,      t.domain,    t.passes, {}};
+            TechniqueInfo info{entry->id(), entry->family, entry->name, t.title,  t.summary, t.papers,
+                               t.limits,    t.domain,      t.usesSeed,  t.passes, {}};
             for (const ParamField& field : entry->table().fields()) info.params.push_back(field.info);
             made.push_back(std::move(info));
         }

@@ -85,8 +85,9 @@ std::string legend() {
         "<div class=\"ramp\" style=\"background:linear-gradient(90deg," +
         stops + ")\"></div><div class=\"marks\">" + marks + "</div></div>\n";
     html += "<p>Classes of shadow errors:</p>\n<ul class=\"keys\">\n";
-    for (const ErrorClassColor& c : kErrorClassColors)
-        html += "<li><i style=\"background:" + cssColor(c.rgb) + "\"></i>" + c.name + "</li>\n";
+    for (std::size_t c = 0; c < kErrorClassCount; ++c)
+        html += "<li><i style=\"background:" + cssColor(kErrorClassColors[c]) + "\"></i>" +
+                errorClassKey(ErrorClass(c)) + (c == 0 ? " (darker in shadow)" : "") + "</li>\n";
     return html + "</ul>\n</section>\n";
 }
 

@@ -54,8 +54,8 @@ std::optional<double> bestOf(const std::vector<const RunRecord*>& group, const s
 }  // namespace
 
 const std::vector<std::string>& metricColumns(const std::string& family) {
-    static const std::vector<std::string> shadow{"wrong", "wrong_domain", "rmse", "bias",
-                                                 "acne",  "contact_gap",  "flip"};
+    static const std::vector<std::string> shadow{"wrong",       "wrong_domain", "rmse",     "bias", "over",  "alias",
+                                                 "contact_gap", "acne",         "penumbra", "leak", "noise", "flip"};
     static const std::vector<std::string> ao{"rmse", "bias", "psnr", "gain_db", "ssim"};
     static const std::vector<std::string> nothing;
     return family == "shadow" ? shadow : family == "ao" ? ao : nothing;

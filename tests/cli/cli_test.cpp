@@ -467,6 +467,7 @@ TEST_F(Cli, ComparesGatesAndReports) {
         EXPECT_TRUE(record["metrics"].contains("rmse"));
         EXPECT_TRUE(record["metrics"].contains("flip"));
         EXPECT_EQ(record["truth"]["kind"], "shadow");
+        EXPECT_TRUE(record["images"].contains("classes"));
         for (const auto& [kind, path] : record["images"].items())
             EXPECT_TRUE(fs::exists(m_folder / "out" / path.get<std::string>())) << kind;
     }
@@ -481,6 +482,32 @@ TEST_F(Cli, ComparesGatesAndReports) {
         run({"compare", "gap", "--technique", idOf("shadow"), "-o", "gated", "--size", "96x54", "--fail-on", "mae>=0"});
     EXPECT_EQ(gated.code, 1) << gated.err;
     EXPECT_NE(gated.err.find("mae>=0"), std::string::npos);
+}
+
+TEST_F(Cli, NamesEveryError) {
+    const Result result =
+        run({"compare", "area-overlap", "--all", "shadow", "-o", "out", "--size", "240x135", "--spp", "32", "--json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    int noisy = 0, quiet = 0;
+    const Json json = Json::parse(result.out);
+    for (const Json& record : json["records"]) {
+        const Json& metrics = record["metrics"];
+        double sum = 0;
+        for (const char* key :
+             {"missing", "contact_gap", "alias", "over_blur", "under_blur", "acne", "leak", "false_shadow", "other"})
+            sum += metrics.at(key).get<double>();
+        // 1e-12: the sum of nine shares.
+        EXPECT_NEAR(sum, metrics.at("over").get<double>(), 1e-12);
+        for (const char* key :
+             {"rmse_lit", "rmse_penumbra", "hard_ratio", "edge_px", "leak_mass", "terminator", "leak_layered", "noise"})
+            EXPECT_TRUE(metrics.contains(key) && metrics[key].is_number()) << key << " of " << record["technique"];
+        ++(metrics["noise"] > 0 ? noisy : quiet);
+    }
+    // Few rays to a large lamp differ from seed to seed; shadows of its centre do not.
+    EXPECT_GT(noisy, 0);
+    EXPECT_GT(quiet, 0);
+    const std::string page = content(m_folder / "out/report.html");
+    EXPECT_NE(page.find("false_shadow</li>"), std::string::npos) << "the legend of the class pictures";
 }
 
 TEST_F(Cli, ComparesOcclusionAndFilters) {
@@ -509,9 +536,12 @@ TEST_F(Cli, ComparesOcclusionAndFilters) {
     const Result area = run({"compare", "gap", "--technique", idOf("shadow"), "--technique", idOf("ao"), "--all", "aa",
                              "--truth", "area", "-o", "area", "--size", "32x18", "--spp", "16", "--json"});
     ASSERT_EQ(area.code, 0) << area.err;
-    for (const Json& record : Json::parse(area.out)["records"]) {
+    const Json areas = Json::parse(area.out);
+    EXPECT_GE(areas["records"].size(), 3u);
+    for (const Json& record : areas["records"]) {
         EXPECT_EQ(record["truth"]["kind"], "area");
         EXPECT_FALSE(record["metrics"].contains("acne"));
+        EXPECT_FALSE(record["metrics"].contains("edge_px"));
     }
 }
 

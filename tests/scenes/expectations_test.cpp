@@ -13,6 +13,7 @@
 #include <ombrage/reference.h>
 #include <ombrage/renderer.h>
 
+#include "metrics/error_classes.h"
 #include "scene/builtin.h"
 #include "scenes/expectations.h"
 
@@ -51,6 +52,7 @@ public:
         m_options.width = kExpectationWidth;
         m_options.height = kExpectationHeight;
         m_receivers = m_reference.receivers(camera(), m_options);
+        m_positions = m_reference.positions(m_receivers);
         sharedRenderer().setScene(m_scene);
     }
 
@@ -69,7 +71,9 @@ public:
                 }
         const bool isShadow = family == Family::Shadow;
         const auto plane = isShadow ? result.visibility.begin()->second.plane(0) : result.ao->plane(0);
-        m_footprint = result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
+        m_question.footprint = result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
+        m_question.inRange =
+            result.range.empty() ? std::vector<bool>() : inRange(result.range.begin()->second, m_positions, camera());
         m_instance = result.instance;
         m_triangle = result.triangle;
         return measure(isShadow, {plane.begin(), plane.end()});
@@ -78,6 +82,25 @@ public:
     /// The same for a picture of one value, seen through the technique of the last call.
     Metrics ofConstant(bool isShadow, float value) {
         return measure(isShadow, std::vector<float>(std::size_t(kExpectationWidth * kExpectationHeight), value));
+    }
+
+    /// The mean of the truth over its valid pixels. After of().
+    float bestConstant(bool isShadow) const {
+        const std::vector<float>& values = isShadow ? m_shadow.visibility : m_ao.visibility;
+        const std::vector<Mask>& mask = isShadow ? m_shadow.mask : m_ao.mask;
+        double sum = 0, count = 0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+            if (mask[i] == Mask::Valid) {
+                sum += double(values[i]);
+                ++count;
+            }
+        return float(sum / count);
+    }
+
+    /// Of a plain hard shadow without any error of its own, where the light has a size.
+    std::optional<Metrics> ofHardShadow() {
+        if (!light().hasSize()) return std::nullopt;
+        return measure(true, hardShadow(m_shadow));
     }
 
 private:
@@ -94,10 +117,12 @@ private:
                 // 64 samples err by some 0.01 in a penumbra, a fifth of what counts as an error there.
                 m_options.samplesPerPixel = light().hasSize() ? 64 : 0;
                 m_shadow = m_reference.shadow(m_receivers, camera(), m_moved.lightIndex(m_expected.light), m_options);
+                m_features = m_reference.shadowFeatures(m_receivers, m_moved.lightIndex(m_expected.light), m_options);
+                m_question.features = &m_features;
             }
             ShadowTruth truth = m_shadow;
             maskDisagreement(truth.mask, truth.maskedShare, m_receivers, m_instance, m_triangle);
-            return measureShadow(image, truth, m_receivers, m_footprint).metrics;
+            return measureShadow(image, truth, m_receivers, m_question).metrics;
         }
         if (m_ao.visibility.empty()) {
             m_options.samplesPerPixel = 64;
@@ -115,7 +140,9 @@ private:
     Receivers m_receivers;
     ShadowTruth m_shadow;
     AoTruth m_ao;
-    TexelFootprint m_footprint;
+    ShadowFeatures m_features;
+    ShadowQuestion m_question;
+    std::vector<glm::dvec3> m_positions;
     std::vector<std::uint32_t> m_instance, m_triangle;
 };
 
@@ -128,7 +155,7 @@ TEST_P(EveryScene, ShowsWhatItDeclaresAndNothingElse) {
     const SceneExpectations scene = expected();
     Measured measured(scene);
     std::map<std::string, Metrics> known;
-    bool brokenByLight = false, brokenByDark = false;
+    bool brokenByLight = false, brokenByDark = false, brokenByMean = false, brokenByHard = false;
     for (const std::vector<Expectation>* list : {&scene.shows, &scene.holds})
         for (const Expectation& expectation : *list) {
             if (known.count(expectation.technique) == 0)
@@ -148,10 +175,15 @@ TEST_P(EveryScene, ShowsWhatItDeclaresAndNothingElse) {
                 };
                 brokenByLight = brokenByLight || breaks(1.0f);
                 brokenByDark = brokenByDark || breaks(0.0f);
+                brokenByMean = brokenByMean || breaks(measured.bestConstant(isShadow));
+                const std::optional<Metrics> hard = isShadow ? measured.ofHardShadow() : std::nullopt;
+                brokenByHard = brokenByHard || !hard || !expectation.meets(hard->at(expectation.metric));
             }
         }
     EXPECT_TRUE(brokenByLight) << "a picture that is lit everywhere meets all that must hold";
     EXPECT_TRUE(brokenByDark) << "a picture that is dark everywhere meets all that must hold";
+    EXPECT_TRUE(brokenByMean) << "the best picture of one value meets all that must hold";
+    EXPECT_TRUE(brokenByHard) << "a plain hard shadow meets all that must hold";
 }
 
 std::vector<std::string> sceneNames() {

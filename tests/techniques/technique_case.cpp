@@ -70,6 +70,21 @@ const ShadowTruth& Bench::shadow(const std::string& camera, const std::string& l
         .first->second;
 }
 
+const ShadowFeatures& Bench::features(const std::string& camera, const std::string& light, const std::string& truth) {
+    const std::string key = camera + "|" + light + "|" + truth;
+    const auto known = m_features.find(key);
+    if (known != m_features.end()) return known->second;
+    ReferenceOptions options = optionsOf(0);
+    options.kind = truthKindFromName(truth, Quantity::Shadow);
+    return m_features.emplace(key, m_reference.shadowFeatures(receivers(camera), m_scene.lightIndex(light), options))
+        .first->second;
+}
+
+std::vector<bool> Bench::covered(const ShadowRange& range, const std::string& camera) {
+    return inRange(range, m_reference.positions(receivers(camera)),
+                   m_scene.cameras[std::size_t(m_scene.cameraIndex(camera))]);
+}
+
 const AoTruth& Bench::ao(const std::string& camera, int samples, const std::string& truth, const Pipeline& pipeline) {
     ReferenceOptions options = optionsOf(samples);
     options.kind = truthKindFromName(truth, Quantity::Ao);

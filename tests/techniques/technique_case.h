@@ -26,11 +26,15 @@ public:
     /// @param truth "shadow" or "self"
     const ShadowTruth& shadow(const std::string& camera, const std::string& light, int samples,
                               const std::string& truth = "shadow");
+    const ShadowFeatures& features(const std::string& camera, const std::string& light,
+                                   const std::string& truth = "shadow");
     const SceneTraits& traits() const { return m_traits; }
     /// @param truth "T1" to "T5" or "own"; @param pipeline whose integral "own" is
     const AoTruth& ao(const std::string& camera, int samples, const std::string& truth = "T1",
                       const Pipeline& pipeline = {});
     const Receivers& receivers(const std::string& camera);
+    /// Per pixel, whether the range covers what the camera sees.
+    std::vector<bool> covered(const ShadowRange& range, const std::string& camera);
 
     static Bench& of(const std::string& sceneName);
 
@@ -40,6 +44,7 @@ private:
     SceneTraits m_traits;
     std::map<std::string, Receivers> m_receivers;
     std::map<std::string, ShadowTruth> m_shadow;
+    std::map<std::string, ShadowFeatures> m_features;
     std::map<std::string, AoTruth> m_ao;
 };
 

@@ -8,6 +8,7 @@
 
 #include <ombrage/error.h>
 
+#include "metrics/error_classes.h"
 #include "technique_case.h"
 
 namespace ombrage::test {
@@ -79,12 +80,13 @@ protected:
         if (info().family == Family::Shadow) {
             ShadowTruth truth = shadowTruth(budget);
             maskDisagreement(truth.mask, truth.maskedShare, receivers, result.instance, result.triangle);
-            const TexelFootprint footprint =
-                result.footprint.empty() ? TexelFootprint{} : result.footprint.begin()->second;
             const Light& shining = bench.scene().lights[std::size_t(bench.scene().lightIndex(light))];
-            const ShadowMeasurement measured =
-                measureShadow(image, truth, receivers, footprint,
-                              domainMask(settingsFor(budget).shadow, shining, bench.traits(), receivers));
+            ShadowQuestion question;
+            if (!result.footprint.empty()) question.footprint = result.footprint.begin()->second;
+            if (!result.range.empty()) question.inRange = bench.covered(result.range.begin()->second, camera);
+            question.inDomain = domainMask(settingsFor(budget).shadow, shining, bench.traits(), receivers);
+            question.features = &bench.features(camera, light, budget.value("truth", "shadow"));
+            const ShadowMeasurement measured = measureShadow(image, truth, receivers, question);
             if (valid) *valid = measured.validCount;
             return measured.metrics;
         }
@@ -138,12 +140,13 @@ TEST_P(EveryTechnique, MeetsItsBudgets) {
 }
 
 // A budget that a constant picture meets says nothing. Budgets of one scene, camera and light stand together: every
-// degenerate answer must break at least one of them.
+// degenerate answer must break at least one of them; for a light with a size the plain hard shadow is one, too.
 TEST_P(EveryTechnique, DegenerateAnswersBreakItsBudgets) {
     std::map<std::string, std::vector<json>> groups;
     for (const json& budget : technicalSheet(info()).value("budgets", json::array()))
         groups[budget.at("scene").get<std::string>() + budget.value("camera", "") + budget.value("light", "") +
-               budget.value("truth", "")]
+               budget.value("truth", "") + budget.value("pipeline", "") +
+               budget.value("params", json::object()).dump() + std::to_string(budget.value("spp", 0))]
             .push_back(budget);
     for (const auto& [name, budgets] : groups) {
         const RenderResult result = render(budgets.front());
@@ -158,11 +161,18 @@ TEST_P(EveryTechnique, DegenerateAnswersBreakItsBudgets) {
                 sum += double(truthValues[i]);
                 ++count;
             }
-        for (const double constant : {1.0, 0.0, sum / count}) {
-            const std::vector<float> image(std::size_t(kWidth * kHeight), float(constant));
-            bool met = true;
-            for (const json& budget : budgets) met = met && meets(budget, measure(budget, image, result, nullptr));
-            EXPECT_FALSE(met) << "a constant " << constant << " meets every budget of " << name;
+        const std::size_t pixels = std::size_t(kWidth * kHeight);
+        std::map<std::string, std::vector<float>> answers{
+            {"all lit", std::vector<float>(pixels, 1.0f)},
+            {"all dark", std::vector<float>(pixels, 0.0f)},
+            {"the best constant", std::vector<float>(pixels, float(sum / count))}};
+        if (isShadow && shadowTruth(budgets.front()).soft)
+            answers["the plain hard shadow"] = hardShadow(shadowTruth(budgets.front()));
+        for (const auto& [answer, image] : answers) {
+            const Metrics metrics = measure(budgets.front(), image, result, nullptr);
+            const bool met =
+                std::all_of(budgets.begin(), budgets.end(), [&](const json& budget) { return meets(budget, metrics); });
+            EXPECT_FALSE(met) << answer << " meets every budget of " << name;
         }
     }
 }
@@ -243,6 +253,32 @@ TEST_P(EveryTechnique, EveryVariantCompiles) {
                 entry["params"] = {{key, value}};
                 EXPECT_NO_THROW(render(entry, 64, 36)) << entry.dump();
             }
+    }
+}
+
+// `noise` is measured where a technique says that it uses random numbers, so what it says must be so.
+TEST_P(EveryTechnique, SaysWhetherItUsesTheSeed) {
+    const json live = technicalSheet(info()).value("live", json::object());
+    std::vector<json> entries{liveEntry()};
+    for (const auto& [key, special] : live.items())
+        if (special.is_object() && special.contains("scene")) {
+            entries.push_back(liveEntry());
+            entries.back()["scene"] = special["scene"];
+        }
+    bool differs = false;
+    for (const json& entry : entries) {
+        const Bench& bench = Bench::of(entry.at("scene"));
+        RenderSettings settings = settingsFor(entry);
+        settings.width = kWidth / 2;
+        settings.height = kHeight / 2;
+        if (info().family == Family::Shadow) settings.light = bench.scene().lights.front().name;
+        const std::vector<float> first = measuredPlane(renderScene(bench.scene(), settings), info().family);
+        settings.seed += 1;
+        differs = differs || measuredPlane(renderScene(bench.scene(), settings), info().family) != first;
+    }
+    // What a filter is fed with may be random.
+    if (info().family != Family::Filter) {
+        EXPECT_EQ(differs, info().usesSeed);
     }
 }
 

@@ -34,6 +34,9 @@ struct LightViews {
     /// Size of a texel of a square map, for the measurement.
     TexelFootprint footprint(int resolution) const;
 
+    /// What the views show. @param origin of the moved world
+    ShadowRange range(const glm::dvec3& origin) const;
+
     /// Sets the uniforms of shared/light_views.glsl.
     void setUniforms(const gl::Program& program) const;
     /// What the program that includes it is compiled for.

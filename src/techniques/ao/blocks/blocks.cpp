@@ -76,6 +76,7 @@ OMBRAGE_TECHNIQUE(
      .papers = {"mittring2007", "blinn1978bump", "vogel1979", "jimenez2014noise"},
      .limits = "Sees only what the picture shows: no occluder behind the nearest surface or beyond the "
                "picture's border, and the formula is no visibility, so its scale is fitted.",
+     .usesSeed = true,
      .integrand = integrandOf(&blocks::makeIntegrand)})
 
 }  // namespace ombrage

@@ -65,6 +65,7 @@ OMBRAGE_TECHNIQUE(
      .limits =
          "The hierarchy is built on the CPU whenever the geometry changes; soft lights show noise that falls slowly "
          "with the number of rays.",
-     .domain = {.soft = true}})
+     .domain = {.soft = true},
+     .usesSeed = true})
 
 }  // namespace ombrage

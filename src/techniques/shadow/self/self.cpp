@@ -45,6 +45,7 @@ OMBRAGE_TECHNIQUE(shadow, self, Self,
                               "shadows that models cast on each other add.",
                    .papers = {"appel1968", "whitted1980"},
                    .limits = "Leaves out every shadow that one model casts on another: measure it with --truth self.",
-                   .domain = {.soft = true}})
+                   .domain = {.soft = true},
+                   .usesSeed = true})
 
 }  // namespace ombrage
