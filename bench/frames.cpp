@@ -36,7 +36,7 @@ struct Subject {
 };
 
 struct Options {
-    std::string scene, shaderDir;
+    std::string scene, shaderDir, device;
     std::vector<std::string> shadows{"none"};
     bool yardstick = false, images = false, json = false;
     int width = 1280, height = 720, rounds = 5, frames = 12, mapSize = 2048;
@@ -46,12 +46,13 @@ int run(const Options& options) {
     const Scene scene = loadScene(options.scene);
     RendererOptions device;
     device.shaderDir = options.shaderDir;
+    device.device = options.device;
     Renderer renderer(device);
     renderer.setScene(scene);
     std::unique_ptr<MinimalLoop> loop;
     std::vector<Subject> subjects;
     if (options.yardstick) {
-        loop = std::make_unique<MinimalLoop>(scene, options.width, options.height, options.mapSize);
+        loop = std::make_unique<MinimalLoop>(scene, options.width, options.height, options.mapSize, options.device);
         for (bool shadows : {false, true})
             subjects.push_back({shadows ? "minimal loop, hard" : "minimal loop, none", [&, shadows](int frames) {
                                     Times times;
@@ -134,6 +135,7 @@ int main(int argc, char** argv) {
     app.add_flag("--yardstick", options.yardstick, "also the minimal loop, first");
     app.add_flag("--images", options.images, "visibility is kept as an image, as where it is measured");
     app.add_option("--shader-dir", options.shaderDir, "read shaders from here");
+    app.add_option("--device", options.device, "software, or the index of an EGL device");
     app.add_option("--width", options.width);
     app.add_option("--height", options.height);
     app.add_option("--rounds", options.rounds)->check(CLI::PositiveNumber);

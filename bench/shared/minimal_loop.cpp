@@ -194,8 +194,9 @@ void MinimalLoop::Impl::drawScene(bool castersOnly) {
     }
 }
 
-MinimalLoop::MinimalLoop(const Scene& scene, int width, int height, int mapSize) : m_impl(std::make_unique<Impl>()) {
-    m_impl->context = gl::Context::createHeadless({});
+MinimalLoop::MinimalLoop(const Scene& scene, int width, int height, int mapSize, const std::string& device)
+    : m_impl(std::make_unique<Impl>()) {
+    m_impl->context = gl::Context::createHeadless({device, false});
     m_impl->width = width;
     m_impl->height = height;
     m_impl->mapSize = mapSize;

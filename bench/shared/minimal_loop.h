@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include <ombrage/image.h>
 #include <ombrage/scene.h>
@@ -17,7 +18,8 @@ namespace ombrage::bench {
 class MinimalLoop {
 public:
     /// @param scene with a sun as its first light; the first camera looks.
-    MinimalLoop(const Scene& scene, int width, int height, int mapSize);
+    /// @param device as RendererOptions::device
+    MinimalLoop(const Scene& scene, int width, int height, int mapSize, const std::string& device = {});
     ~MinimalLoop();
     MinimalLoop(const MinimalLoop&) = delete;
     MinimalLoop& operator=(const MinimalLoop&) = delete;

@@ -53,7 +53,7 @@ struct BenchFigures {
 struct BenchPass {
     std::string name;
     BenchFigures gpu_ms;
-    std::uint64_t draws = 0, triangles = 0;
+    std::uint64_t draws = 0, triangles = 0, bytes = 0;  ///< as PassCost has them
 };
 
 /// How much more one run costs than another, as a share, with the 99 % interval.

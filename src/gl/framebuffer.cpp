@@ -9,6 +9,7 @@
 #include "gl/object_label.h"
 #include "gl/objects.h"
 #include "gl/texture_format.h"
+#include "gl/traffic.h"
 
 namespace ombrage::gl {
 
@@ -63,6 +64,12 @@ Framebuffer::Framebuffer(const std::vector<Attachment>& colors, const Attachment
         assert(m_width == 0 || (m_width == width && m_height == height));
         m_width = width;
         m_height = height;
+        TextureDesc drawn = a.texture->desc();
+        drawn.width = width;
+        drawn.height = height;
+        drawn.levels = 1;
+        if (a.layer >= 0) drawn.layers = 1;
+        m_images.emplace_back(a.texture->id(), byteSize(drawn));
     };
 
     GLenum drawBuffers[kMaxColors];
@@ -104,17 +111,20 @@ Framebuffer::Framebuffer(Framebuffer&& other) noexcept
     : m_id(std::exchange(other.m_id, 0)),
       m_width(std::exchange(other.m_width, 0)),
       m_height(std::exchange(other.m_height, 0)),
+      m_images(std::move(other.m_images)),
       m_hasStencil(std::exchange(other.m_hasStencil, false)) {}
 
 Framebuffer& Framebuffer::operator=(Framebuffer&& other) noexcept {
     std::swap(m_id, other.m_id);
     std::swap(m_width, other.m_width);
     std::swap(m_height, other.m_height);
+    std::swap(m_images, other.m_images);
     std::swap(m_hasStencil, other.m_hasStencil);
     return *this;
 }
 
 void Framebuffer::bind() const {
+    for (const auto& [texture, bytes] : m_images) noteImage(texture, bytes);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, m_id);
     glViewport(0, 0, m_width, m_height);
     glDisable(GL_SCISSOR_TEST);

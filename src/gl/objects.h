@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -136,6 +137,7 @@ public:
 private:
     GLuint m_id = 0;
     int m_width = 0, m_height = 0;
+    std::vector<std::pair<GLuint, std::uint64_t>> m_images;  ///< attached, and the bytes of each
     bool m_hasStencil = false;
 };
 

@@ -10,6 +10,7 @@
 #include "gl/object_label.h"
 #include "gl/objects.h"
 #include "gl/texture_format.h"
+#include "gl/traffic.h"
 
 namespace ombrage::gl {
 
@@ -160,10 +161,12 @@ void Texture::download(int level, int layer, GLenum format, GLenum type, std::si
 }
 
 void Texture::bind(GLuint unit) const {
+    if (levels() == 1) noteImage(m_id, byteSize(m_desc));
     glBindTextureUnit(unit, m_id);
 }
 
 void Texture::bindImage(GLuint unit, GLenum access, int level, int layer) const {
+    if (levels() == 1) noteImage(m_id, byteSize(m_desc));
     const GLboolean layered = layer < 0 ? GL_TRUE : GL_FALSE;
     glBindImageTexture(unit, m_id, level, layered, std::max(0, layer), access, m_desc.format);
 }

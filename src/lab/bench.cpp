@@ -89,7 +89,7 @@ private:
         for (const PassCost& pass : m_renderer.render(settings).passes) {
             // What the warm-up alone did, a cached map, is no cost of a frame.
             if (pass.frames_ms.empty()) continue;
-            run.passes.push_back({pass.name, figuresOf(pass.frames_ms), pass.draws, pass.triangles});
+            run.passes.push_back({pass.name, figuresOf(pass.frames_ms), pass.draws, pass.triangles, pass.bytes});
             run.draws += pass.draws;
             run.triangles += pass.triangles;
         }

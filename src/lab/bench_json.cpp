@@ -61,7 +61,8 @@ Json toJson(const BenchRun& run) {
         json["passes"].push_back({{"name", pass.name},
                                   {"gpu_ms", toJson(pass.gpu_ms)},
                                   {"draws", pass.draws},
-                                  {"triangles", pass.triangles}});
+                                  {"triangles", pass.triangles},
+                                  {"bytes", pass.bytes}});
     return json;
 }
 
@@ -78,7 +79,8 @@ BenchRun runFrom(const Json& json) {
     for (const auto& [name, value] : json.at("counters").items()) run.counters[name] = value.get<double>();
     for (const Json& pass : json.at("passes"))
         run.passes.push_back({pass.at("name").get<std::string>(), figuresFrom(pass.at("gpu_ms")),
-                              pass.at("draws").get<std::uint64_t>(), pass.at("triangles").get<std::uint64_t>()});
+                              pass.at("draws").get<std::uint64_t>(), pass.at("triangles").get<std::uint64_t>(),
+                              pass.at("bytes").get<std::uint64_t>()});
     run.toFirst = differenceFrom(json.at("to_first"));
     run.toBaseline = differenceFrom(json.at("to_baseline"));
     return run;

@@ -76,11 +76,14 @@ std::string growthText(const Curve& curve) {
 }
 
 std::string passTable(const BenchGroup& group) {
-    std::string text = "| technique | pass | median | p95 | MAD | draws | triangles |\n|---|---|--:|--:|--:|--:|--:|\n";
+    std::string text =
+        "| technique | pass | median | p95 | MAD | draws | triangles | MiB of images "
+        "|\n|---|---|--:|--:|--:|--:|--:|--:|\n";
     for (const BenchRun& run : group.runs)
         for (const BenchPass& pass : run.passes)
-            text += fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {} | {} |\n", cell(run.label), cell(pass.name),
-                                pass.gpu_ms.median, pass.gpu_ms.p95, pass.gpu_ms.mad, pass.draws, pass.triangles);
+            text += fmt::format("| {} | {} | {:.3f} | {:.3f} | {:.3f} | {} | {} | {:.1f} |\n", cell(run.label),
+                                cell(pass.name), pass.gpu_ms.median, pass.gpu_ms.p95, pass.gpu_ms.mad, pass.draws,
+                                pass.triangles, double(pass.bytes) / (1024 * 1024));
     return text;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "gl/traffic.h"
 #include "render/recorder.h"
 #include "render/technique.h"
 
@@ -17,10 +18,12 @@ FrameContext::Pass::Pass(FrameContext& frame, const std::string& name) : m_frame
     frame.recorder->passes.push_back({name});
     if (frame.recorder->timesPasses) frame.recorder->timer->begin(name);
     m_trace.emplace(name);
+    gl::takeTraffic();
 }
 
 FrameContext::Pass::~Pass() {
     m_trace.reset();
+    m_frame.recorder->passes.back().bytes = gl::takeTraffic();
     if (m_frame.recorder->timesPasses) m_frame.recorder->timer->end();
 }
 

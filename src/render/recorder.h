@@ -18,6 +18,7 @@ struct FrameContext::Recorder {
     struct PassWork {
         std::string name;
         std::uint64_t draws = 0, triangles = 0;
+        std::uint64_t bytes = 0;  ///< of images, each touched once (gl::takeTraffic)
     };
     struct ParamsBlock {
         std::vector<std::byte> bytes;

@@ -369,6 +369,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
             if (work.name == name) {
                 cost.draws += work.draws;
                 cost.triangles += work.triangles;
+                cost.bytes += work.bytes;
             }
         result.passes.push_back(cost);
     }

@@ -182,6 +182,21 @@ TEST_F(RendererTest, WhatIsAskedForIsShownWithoutImagesToo) {
     EXPECT_EQ(again(settings).shownRaw.at("visibility"), measured.visibility.at(0));
 }
 
+// By hand: the G-buffer writes 4 bytes of depth and 16 of words; the map of 256 x 256 texels 4 each; visibility reads both planes
+// of the G-buffer and the map and writes 2 bytes.
+TEST_F(RendererTest, PassesCountTheBytesOfTheirImages) {
+    RenderSettings settings;
+    settings.width = 64;
+    settings.height = 32;
+    settings.shadow = parsePipeline(Family::Shadow, "map:resolution=256");
+    std::map<std::string, std::uint64_t> bytes;
+    for (const PassCost& pass : render(loadScene("gap"), settings).passes) bytes[pass.name] = pass.bytes;
+    const std::uint64_t pixels = 64 * 32, map = 256 * 256 * 4;
+    EXPECT_EQ(bytes.at("g-buffer"), pixels * 20);
+    EXPECT_EQ(bytes.at("light depth"), map);
+    EXPECT_EQ(bytes.at("visibility"), pixels * (20 + 2) + map);
+}
+
 TEST_F(RendererTest, NothingIsRenderedWithoutAScene) {
     Renderer fresh(options());
     EXPECT_THROW(fresh.render(small()), Error);
