@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bandwidth of a device's memory, from copies of a buffer much larger than its caches: every byte is read once and written
-// once. Prints JSON with the median over the copies.
+// Bandwidth of a device's memory, from copies of a buffer much larger than its caches: every byte is read once and
+// written once. Prints JSON with the median over the copies.
 #include <algorithm>
 #include <cstdio>
 #include <string>
