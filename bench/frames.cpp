@@ -3,7 +3,6 @@
 // medians over the rounds of the ratios to the first subject in the same round.
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
@@ -16,24 +15,12 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "core/process_time.h"
+#include "lab/statistics.h"
 #include "shared/minimal_loop.h"
 
 namespace ombrage::bench {
 namespace {
-
-double medianOf(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const std::size_t n = values.size();
-    return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) * 0.5;
-}
-
-/// Time of all threads of this process, in ms: what a frame of a software renderer costs, whoever else uses the
-/// machine.
-double processTime_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 struct Times {
     std::vector<double> wall_ms, cpu_ms;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -19,9 +18,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "scene/mesh_build.h"
-#include "scene/shapes.h"
-#include "shared/log_plot.h"
+#include "core/process_time.h"
+#include "lab/log_plot.h"
+#include "lab/spheres.h"
 
 namespace ombrage::bench {
 namespace {
@@ -29,56 +28,10 @@ namespace {
 /// Growth with an exponent up to here counts as linear: single points scatter by 10 to 20 % on a busy machine, which is
 /// 0.1 in the slope over one to two decades.
 constexpr double kLinear = 1.1;
-constexpr int kSpheresAside = 8;
-
-double processTime_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
 
 /// What else the machine does only ever adds: the least of the frames is nearest to the frame's own cost.
 double leastOf(const std::vector<double>& values) {
     return *std::min_element(values.begin(), values.end());
-}
-
-/// Spheres of about this many triangles together on a floor, under spot lights that each reach all of them.
-Scene spheres(std::size_t triangles, int lights) {
-    Scene scene;
-    scene.name = "spheres";
-    scene.materials.emplace_back();
-    const auto add = [&](Mesh mesh) {
-        makeTangents(mesh);
-        const int index = int(scene.meshes.size());
-        scene.meshes.push_back(std::move(mesh));
-        scene.models.push_back({"model", "", true, true});
-        scene.instances.push_back({index, index, glm::dmat4(1.0)});
-    };
-    add(shapes::floor(24.0f));
-    // A sphere of s slices and s / 2 stacks has s (s - 2) triangles.
-    const int slices = int(std::ceil(1.0 + std::sqrt(1.0 + double(triangles) / (kSpheresAside * kSpheresAside))));
-    for (int i = 0; i < kSpheresAside * kSpheresAside; ++i) {
-        const glm::vec2 cell(i % kSpheresAside, i / kSpheresAside);
-        const glm::vec2 place = (cell - 0.5f * (kSpheresAside - 1)) * 2.2f;
-        add(shapes::sphere({place.x, 1.0f, place.y}, 0.9f, slices, slices / 2));
-    }
-    for (int i = 0; i < lights; ++i) {
-        Light light;
-        light.name = "spot " + std::to_string(i);
-        light.type = LightType::Spot;
-        const double angle = 2.4 * i;  // the golden angle: no two lights shine alike
-        light.position = {8 * std::cos(angle), 16.0, 8 * std::sin(angle)};
-        light.direction = glm::vec3(glm::normalize(glm::dvec3(0, 1, 0) - light.position));
-        light.intensity = 400.0f / float(lights);
-        light.inner_rad = 0.7f;
-        light.outer_rad = 0.8f;
-        scene.lights.push_back(light);
-    }
-    scene.cameras.emplace_back();
-    scene.cameras[0].name = "main";
-    scene.cameras[0].position = {9, 9, 16};
-    scene.aoRadius_m = 1;
-    return scene;
 }
 
 struct Point {
@@ -150,7 +103,7 @@ std::vector<Series> measureAxis(Renderer& renderer, const std::string& axis, con
     std::vector<Series> all;
     for (const std::string& technique : techniquesOf(axis)) all.push_back({axis, technique, "", {}});
     for (const Setup& setup : setupsOf(axis, options.largest)) {
-        const Scene scene = spheres(setup.triangles, setup.lights);
+        const Scene scene = spheresScene(setup.triangles, setup.lights);
         renderer.setScene(scene);
         for (Series& series : all) {
             if (!series.refused.empty()) continue;

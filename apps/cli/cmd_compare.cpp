@@ -29,6 +29,7 @@ int runCompare(const Options& options) {
     request.base.warmupFrames = kCompareWarmupFrames;
     request.truthSamples = int(options.integer("spp", 0, 0, 1 << 20));
     request.truthKind = options.text("truth");
+    request.again = options.flag("again");
     request.commandLine = commandLine();
     Progress progress;
     request.progress = [&](const std::string& what, double share) { return progress(what, share); };
@@ -38,6 +39,9 @@ int runCompare(const Options& options) {
     for (const SkippedPair& pair : result.skipped)
         printMessage("skipped: " + pair.scene + ", " + pair.technique + ": " + pair.reason);
     for (const std::string& gate : result.failedGates) printMessage("failed: " + gate);
+    if (result.reused > 0)
+        printMessage(fmt::format("{} of {} records were in the folder already (--again measures them anew)",
+                                 result.reused, result.records.size()));
     if (options.flag("json"))
         printResult(result.json() + "\n");
     else
@@ -64,7 +68,8 @@ Command compareCommand() {
                 options.add("--technique", "ID[:key=value,...] or A+B; may be repeated", Take::Many);
                 options.add("--all", "FAMILY: every technique of it that supports the light; may be repeated",
                             Take::Many);
-                options.add("-o,--output", "DIR: records.jsonl, images and report.html go here");
+                options.add("-o,--output", "DIR: results.sqlite, records.jsonl, images and report.html go here");
+                options.add("--again", "measure also what DIR holds already, and replace it", Take::Flag);
                 options.add("--spp",
                             "N: samples per pixel of the truth (1 for hard lights, 1024 for soft ones, 256 for ao)");
                 options.add("--truth",

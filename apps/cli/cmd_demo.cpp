@@ -22,8 +22,7 @@ struct Part {
 int runDemo(const Options& options) {
     const std::filesystem::path folder = options.text("output", "ombrage-demo");
     // A gallery shows its own runs only.
-    std::error_code error;
-    for (const char* file : {"records.jsonl", "runs.jsonl"}) std::filesystem::remove(folder / file, error);
+    clearResults(folder);
 
     const std::vector<Part> parts{{{"in-shadow", "gap", "sphere", "menger"}, Family::Shadow, 0, 0.4},
                                   {{"cornell", "corner", "menger"}, Family::Ao, 64, 0.65},
@@ -68,7 +67,8 @@ Command demoCommand() {
             "A gallery of techniques against the truth on built-in scenes, and its report",
             {"", "-o gallery --size 320x180"},
             [](Options& options) {
-                options.add("-o,--output", "DIR: records.jsonl, images and report.html go here (ombrage-demo)");
+                options.add("-o,--output",
+                            "DIR: results.sqlite, records.jsonl, images and report.html go here (ombrage-demo)");
                 options.add("--size", "WxH: size of the pictures in pixels (640x360)");
                 options.add("--seed", "N: seed of everything random (1)");
                 options.add("--device", "software, or the index of an EGL device (the best, with a fallback)");

@@ -20,7 +20,7 @@ Command reportCommand() {
             "Makes the report of a folder that compare wrote",
             {"out", "out -o summary.html"},
             [](Options& options) {
-                options.add("dir", "a folder with records.jsonl");
+                options.add("dir", "a folder with results.sqlite or records.jsonl");
                 options.add("-o,--output", "FILE.html (DIR/report.html)");
             },
             runReport};

@@ -28,6 +28,7 @@ Command referenceCommand();
 Command compareCommand();
 Command diffCommand();
 Command reportCommand();
+Command benchCommand();
 Command demoCommand();
 
 /// Results go to standard output through this. @throws Error(Environment) when it cannot be written.

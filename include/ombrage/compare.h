@@ -42,7 +42,8 @@ struct CompareRequest {
     int truthSamples = 0;                        ///< 0: the truth's own default
     std::string truthKind;                       ///< "" by family; "shadow" or "T1"
     std::vector<Gate> failOn;
-    std::filesystem::path outputDir;             ///< pictures, records.jsonl, report.html
+    std::filesystem::path outputDir;             ///< results.sqlite, pictures, records.jsonl, report.html
+    bool again = false;                          ///< measures also what the folder holds already, and replaces it
     std::vector<std::string> commandLine;        ///< for the report
     Report progress;
 };
@@ -56,14 +57,19 @@ struct CompareResult {
     std::vector<SkippedPair> skipped;
     std::vector<std::string> failedGates;        ///< sentences
     std::filesystem::path report;
+    std::size_t reused = 0;                      ///< of the records: those that the folder held already
     bool interrupted = false;
     /// {"schema":"ombrage/records/1","records":[...],"skipped":[...]}
     std::string json() const;
 };
 
 /// Renders every scene with every pipeline, holds each against the ray-traced truth of the same scene and light, and writes
-/// pictures, error maps, records and the report. Work done before an interruption is kept.
+/// pictures, error maps, records and the report. What the folder holds already, measured by the same program on the same
+/// device, is taken from there. Work done before an interruption of any kind is kept; several processes may share a folder.
 CompareResult compare(const CompareRequest& request, const RendererOptions& renderer);
+
+/// Forgets the records in a folder, where it has some; pictures stay. @throws Error(Environment), Error(Input)
+void clearResults(const std::filesystem::path& folder);
 
 /// Makes report.html from a folder that compare() wrote. @throws Error(Input) when there are no records.
 std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output = {});

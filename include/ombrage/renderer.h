@@ -65,6 +65,7 @@ struct PassCost {
     std::string name;
     Stats gpu_ms;
     std::uint64_t draws = 0, triangles = 0;
+    std::vector<double> frames_ms;              ///< of the frames after the warm-up that have this pass, in order
 };
 
 struct DeviceInfo {
@@ -85,7 +86,8 @@ struct RenderResult {
     std::vector<PassCost> passes;               ///< with Timing::Frame their gpu_ms are 0
     Stats gpu_ms;                               ///< sum of the passes; with Timing::Frame the frame
     std::vector<double> frames_ms;              ///< of every frame after the warm-up, in order; what gpu_ms sums up
-    double cpu_ms = 0;
+    double cpu_ms = 0;                          ///< of the calling thread, median
+    std::vector<double> cpuFrames_ms;           ///< as frames_ms
     std::uint64_t gpuBytes = 0;                 ///< render targets and technique buffers, not the scene's own
     std::map<std::string, double> counters;
     std::vector<std::string> warnings;

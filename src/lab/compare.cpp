@@ -3,15 +3,22 @@
 
 #include <ombrage/error.h>
 #include <algorithm>
+#include <chrono>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <system_error>
 
 #include "core/log.h"
+#include "core/strings.h"
+#include "core/whole_file.h"
+#include "lab/compare_keys.h"
 #include "lab/gate.h"
 #include "lab/plan.h"
+#include "lab/program_identity.h"
 #include "lab/run_record.h"
 #include "lab/scene_runner.h"
+#include "lab/store.h"
 
 namespace ombrage {
 
@@ -47,6 +54,94 @@ void checkGate(const Gate& gate, const std::vector<ScenePlan>& plans) {
                 "ask for it with --technique " + gate.technique);
 }
 
+/// Keeps records.jsonl near the store while the work goes on, for those who watch it. One export writes all records, so
+/// it may take a twentieth of the time.
+class Exports {
+public:
+    explicit Exports(const ResultStore& store) : m_store(store) {}
+
+    void writeWhenDue() {
+        if (Clock::now() >= m_next) write();
+    }
+    void write() {
+        const auto start = Clock::now();
+        m_store.exportLines();
+        const auto end = Clock::now();
+        m_next = end + std::max<Clock::duration>(std::chrono::seconds(1), 20 * (end - start));
+    }
+    /// What stopped the work may stop this too; the first reason is the one to tell.
+    void tryWrite() {
+        try {
+            write();
+        } catch (const Error&) {
+        }
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    const ResultStore& m_store;
+    Clock::time_point m_next{};
+};
+
+/// Tells calls apart that one command line makes.
+std::string nameOfCall(const CompareRequest& request) {
+    ResultKey name("call");
+    name.add("command", join(request.commandLine, "\n")).add("scenes", join(request.scenes, "\n"));
+    for (const auto& [family, pipeline] : request.pipelines) name.add(familyName(family), toString(pipeline));
+    for (const Family family : request.allOf) name.add("all " + std::string(familyName(family)), "");
+    return name.text();
+}
+
+/// The records of one run in the order of its truths: from the store, and what it lacks from the runner.
+class StoredRuns {
+public:
+    StoredRuns(ResultStore& store, const CompareKeys& keys, const CompareRequest& request,
+               const std::vector<std::string>& warnings)
+        : m_store(store), m_keys(keys), m_request(request), m_warnings(warnings) {}
+
+    /// @param measure  runs what is missing
+    template <typename Measure>
+    std::vector<std::string> run(const PlannedRun& planned, std::size_t& reused, Measure measure) {
+        std::vector<std::optional<TruthKind>> kinds(planned.truths.begin(), planned.truths.end());
+        if (kinds.empty()) kinds.emplace_back();
+        std::vector<std::string> records(kinds.size());
+        std::vector<std::size_t> missing;
+        PlannedRun rest = planned;
+        rest.truths.clear();
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            const auto found = m_request.again ? std::nullopt : m_store.find(m_keys.record(planned, kinds[i]));
+            if (found) {
+                records[i] = *found;
+                ++reused;
+                continue;
+            }
+            missing.push_back(i);
+            if (kinds[i]) rest.truths.push_back(*kinds[i]);
+        }
+        if (missing.empty()) return records;
+        std::vector<RunRecord> measured = measure(rest);
+        for (std::size_t i = 0; i < missing.size(); ++i) {
+            put(m_keys.record(planned, kinds[missing[i]]), planned, measured[i]);
+            records[missing[i]] = measured[i].toJson();
+        }
+        return records;
+    }
+
+private:
+    void put(const ResultKey& key, const PlannedRun& planned, RunRecord& record) {
+        for (const std::string& warning : m_warnings)
+            if (warning.find(planned.pipeline.front().id) != std::string::npos) record.warnings.push_back(warning);
+        std::vector<std::string> pictures;
+        for (const auto& [kind, path] : record.images) pictures.push_back(path);
+        m_store.put(key, record.toJson(), pictures);
+    }
+
+    ResultStore& m_store;
+    const CompareKeys& m_keys;
+    const CompareRequest& m_request;
+    const std::vector<std::string>& m_warnings;
+};
+
 void makeFolder(const std::filesystem::path& folder) {
     if (folder.empty()) throw Error(ErrorCode::Usage, "no folder for the results", "name one with -o DIR");
     std::error_code error;
@@ -67,6 +162,7 @@ std::string CompareResult::json() const {
     for (const SkippedPair& pair : skipped)
         json["skipped"].push_back({{"scene", pair.scene}, {"technique", pair.technique}, {"reason", pair.reason}});
     json["failed_gates"] = failedGates;
+    json["reused"] = reused;
     json["report"] = report.string();
     return json.dump(2);
 }
@@ -93,6 +189,13 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
     }
     for (const Gate& gate : request.failOn) checkGate(gate, plans);
     makeFolder(request.outputDir);
+    removeUnfinished(request.outputDir / "images");
+    ResultStore store(request.outputDir);
+    // Whoever is killed has been interrupted: that is what the folder says until the end.
+    RunNote note{request.commandLine, {}, {}, true};
+    for (const SkippedPair& pair : result.skipped) note.skipped.push_back({pair.scene, pair.technique, pair.reason});
+    store.note(nameOfCall(request), note.toJson());
+    Exports exports(store);
 
     Steps steps(request.progress, stepCount);
     try {
@@ -101,33 +204,56 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         };
         stopIf(!steps.tell("starting OpenGL"));
         Renderer renderer(options);
+        const std::string program = programIdentity(options.shaderDir);
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             if (plans[i].runs.empty()) continue;
-            SceneRunner runner(scenes[i], request, renderer, [&](const std::string& what) { return steps.tell(what); });
+            const CompareKeys keys(scenes[i], request, renderer.device(), program);
+            StoredRuns stored(store, keys, request, plans[i].warnings);
+            std::optional<SceneRunner> runner;
             for (const PlannedRun& planned : plans[i].runs) {
-                for (RunRecord& record : runner.run(planned)) {
-                    for (const std::string& warning : plans[i].warnings)
-                        if (warning.find(planned.pipeline.front().id) != std::string::npos)
-                            record.warnings.push_back(warning);
-                    result.records.push_back(record.toJson());
-                    appendLine(request.outputDir / kRecordsFile, result.records.back());
+                const std::vector<std::string> records =
+                    stored.run(planned, result.reused, [&](const PlannedRun& missing) {
+                        if (!runner)
+                            runner.emplace(scenes[i], request, keys, renderer,
+                                           [&](const std::string& what) { return steps.tell(what); });
+                        return runner->run(missing);
+                    });
+                for (const std::string& text : records) {
+                    result.records.push_back(text);
+                    const RunRecord record = RunRecord::fromJson(text, ResultStore::fileIn(request.outputDir));
                     for (const Gate& gate : request.failOn)
                         if (const auto sentence = metGate(gate, record)) result.failedGates.push_back(*sentence);
                 }
+                exports.writeWhenDue();
                 steps.finish();
             }
         }
         stopIf(!steps.tell("writing the report"));
     } catch (const Error& error) {
-        if (error.code() != ErrorCode::Interrupted) throw;
+        if (error.code() != ErrorCode::Interrupted) {
+            exports.tryWrite();
+            throw;
+        }
         result.interrupted = true;
     }
 
-    RunNote note{request.commandLine, {}, result.failedGates, result.interrupted};
-    for (const SkippedPair& pair : result.skipped) note.skipped.push_back({pair.scene, pair.technique, pair.reason});
-    appendLine(request.outputDir / kRunsFile, note.toJson());
+    note.failedGates = result.failedGates;
+    note.interrupted = result.interrupted;
+    store.note(nameOfCall(request), note.toJson());
+    exports.write();
     if (!result.records.empty()) result.report = writeReport(request.outputDir);
     return result;
+}
+
+void clearResults(const std::filesystem::path& folder) {
+    std::error_code failed;
+    if (std::filesystem::exists(ResultStore::fileIn(folder), failed)) {
+        ResultStore store(folder);
+        store.clear();
+        store.exportLines();
+        return;
+    }
+    for (const char* file : {kRecordsFile, kRunsFile}) std::filesystem::remove(folder / file, failed);
 }
 
 }  // namespace ombrage

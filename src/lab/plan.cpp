@@ -11,14 +11,6 @@ namespace ombrage {
 
 namespace {
 
-/// The chosen light, or all of them.
-std::vector<int> chosenLights(const Scene& scene, const std::string& name) {
-    if (!name.empty()) return {scene.lightIndex(name)};
-    std::vector<int> lights(scene.lights.size());
-    for (std::size_t i = 0; i < lights.size(); ++i) lights[i] = int(i);
-    return lights;
-}
-
 bool meantFor(const Scene& scene, const TechniqueSpec& spec) {
     return scene.techniques.empty() ||
            std::find(scene.techniques.begin(), scene.techniques.end(), spec.id) != scene.techniques.end();
@@ -33,6 +25,28 @@ Pipeline filterInput() {
 }
 
 }  // namespace
+
+Pipeline& placeOf(Family family, RenderSettings& settings) {
+    switch (family) {
+        case Family::Shadow:
+            return settings.shadow;
+        case Family::Indirect:
+            return settings.indirect;
+        case Family::Aa:
+            return settings.aa;
+        case Family::Ao:
+        case Family::Filter:
+            break;
+    }
+    return settings.ao;
+}
+
+std::vector<int> chosenLights(const Scene& scene, const std::string& name) {
+    if (!name.empty()) return {scene.lightIndex(name)};
+    std::vector<int> lights(scene.lights.size());
+    for (std::size_t i = 0; i < lights.size(); ++i) lights[i] = int(i);
+    return lights;
+}
 
 std::string techniqueText(const Pipeline& pipeline) {
     std::vector<std::string> ids;

@@ -37,6 +37,12 @@ std::vector<TruthKind> truthsOf(const CompareRequest& request, Family family, co
 /// @throws Error(Usage) when a pipeline asked for by name does not support a chosen light or the truth asked for.
 ScenePlan planScene(const Scene& scene, const CompareRequest& request);
 
+/// Where a pipeline of the family goes; filters go where occlusion does.
+Pipeline& placeOf(Family family, RenderSettings& settings);
+
+/// Indices of the light of that name, or of all lights for "".
+std::vector<int> chosenLights(const Scene& scene, const std::string& name);
+
 /// Ids of the pipeline joined by '+', without parameters.
 std::string techniqueText(const Pipeline& pipeline);
 

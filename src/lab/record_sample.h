@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 
 #include "lab/run_record.h"
@@ -38,6 +40,11 @@ inline RunRecord sampleRecord(const std::string& technique = "shadow/sample", do
     r.images = {{"visibility", "images/visibility.png"}, {"truth", "images/truth.png"}};
     r.warnings = {"a warning"};
     return r;
+}
+
+/// Adds a line to a file, as folders without a store have them.
+inline void appendLine(const std::filesystem::path& file, const std::string& line) {
+    std::ofstream(file, std::ios::binary | std::ios::app) << line << '\n';
 }
 
 }  // namespace ombrage

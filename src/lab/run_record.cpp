@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/run_record.h"
 
-#include <fcntl.h>
 #include <ombrage/error.h>
-#include <unistd.h>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
@@ -177,28 +172,11 @@ RunNote RunNote::fromJson(const std::string& text, const std::string& where) {
     });
 }
 
-void appendLine(const std::filesystem::path& file, const std::string& line) {
-    const auto fail = [&](const char* what) {
-        throw Error(ErrorCode::Environment, "cannot write '" + file.string() + "': " + what,
-                    "check the folder's permissions and the free space", file.string());
-    };
-    // Drop what a killed writer left of its last line.
-    std::error_code error;
-    if (std::filesystem::exists(file, error)) {
-        std::ifstream in(file, std::ios::binary);
-        const std::string content((std::istreambuf_iterator<char>(in)), {});
-        const std::size_t end = content.rfind('\n') + 1;  // npos + 1 = 0: no whole line
-        if (end != content.size()) std::filesystem::resize_file(file, end, error);
-        if (error) fail(error.message().c_str());
-    }
-    // One write, so that a reader or an interruption never sees half a line.
-    const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-    if (descriptor < 0) fail(std::strerror(errno));
-    const std::string bytes = line + '\n';
-    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
-    const int writeError = written < 0 ? errno : written == ssize_t(bytes.size()) ? 0 : ENOSPC;
-    const int closeError = ::close(descriptor) == 0 ? 0 : errno;
-    if (writeError != 0 || closeError != 0) fail(std::strerror(writeError != 0 ? writeError : closeError));
+std::string identityOf(const RunRecord& r) {
+    const Json identity{r.scene, r.sceneHash, r.camera,
+                        r.light, r.width,     r.height,
+                        r.seed,  r.pipeline,  r.truth ? r.truth->kind : std::string()};
+    return dump(identity);
 }
 
 std::vector<std::string> readLines(const std::filesystem::path& file) {

@@ -13,8 +13,9 @@
 
 namespace ombrage {
 
-/// What one run measured: a technique, a scene, a camera and, for shadows, a light. The form on disk is one line of
-/// DIR/records.jsonl, schema ombrage/record/1 (design section 8); `pipeline` and `family` are additions to it.
+/// What one run measured: a technique, a scene, a camera and, for shadows, a light. The form on disk is one record of
+/// the store and one line of DIR/records.jsonl, schema ombrage/record/1 (design section 8); `pipeline` and `family` are
+/// additions to it.
 struct RunRecord {
     struct Timing {
         double median = 0, p95 = 0;
@@ -70,7 +71,11 @@ struct RunRecord {
     static RunRecord fromJson(const std::string& text, const std::string& where);
 };
 
-/// What one call of compare() leaves beside its records: one line of DIR/runs.jsonl, schema ombrage/run/1.
+/// What a report takes for the same run: scene, camera, light, size, seed, pipeline and truth. Of two the later counts.
+std::string identityOf(const RunRecord& record);
+
+/// What one call of compare() leaves beside its records: one note of the store and
+/// one line of DIR/runs.jsonl, schema ombrage/run/1.
 struct RunNote {
     struct Skipped {
         std::string scene, technique, reason;
@@ -89,10 +94,6 @@ struct RunNote {
 
 inline constexpr const char* kRecordsFile = "records.jsonl";
 inline constexpr const char* kRunsFile = "runs.jsonl";
-
-/// Adds one whole line in a single write. What an interrupted writer left behind the last line end is dropped first.
-/// @throws Error(Environment) when the file cannot be written.
-void appendLine(const std::filesystem::path& file, const std::string& line);
 
 /// The whole lines of a file; a last one without a line end is left out. Nothing when there is no such file.
 std::vector<std::string> readLines(const std::filesystem::path& file);

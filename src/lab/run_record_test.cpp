@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <ombrage/error.h>
 #include <fstream>
-#include <iterator>
+#include <functional>
 #include <nlohmann/json.hpp>
 
 #include "lab/record_sample.h"
@@ -16,11 +16,6 @@ std::filesystem::path freshFile(const char* name) {
     const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / name;
     std::filesystem::remove(file);
     return file;
-}
-
-std::string content(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST(RunRecord, ReadsBackWhatItWrote) {
@@ -77,28 +72,29 @@ TEST(RunNote, ReadsBackWhatItWrote) {
     EXPECT_EQ(RunNote::fromJson(note.toJson(), "test"), note);
 }
 
-TEST(Lines, AreAppendedWhole) {
-    const auto file = freshFile("ombrage_lines.jsonl");
-    appendLine(file, "one");
-    appendLine(file, "two");
-    EXPECT_EQ(content(file), "one\ntwo\n");
+TEST(Lines, TornLastOneIsNotRead) {
+    const auto file = freshFile("ombrage_torn.jsonl");
+    std::ofstream(file, std::ios::binary) << "one\ntwo\n{\"half";
     EXPECT_EQ(readLines(file), (std::vector<std::string>{"one", "two"}));
 }
 
-TEST(Lines, TornLastOneIsNeitherReadNorKept) {
-    const auto file = freshFile("ombrage_torn.jsonl");
-    std::ofstream(file, std::ios::binary) << "one\n{\"half";
-    EXPECT_EQ(readLines(file), (std::vector<std::string>{"one"}));
-    appendLine(file, "two");
-    EXPECT_EQ(content(file), "one\ntwo\n");
+TEST(Lines, MissingFileHasNone) {
+    EXPECT_TRUE(readLines(freshFile("ombrage_no_such.jsonl")).empty());
 }
 
-TEST(Lines, FolderThatIsMissingIsAnEnvironmentError) {
-    try {
-        appendLine(std::filesystem::path(testing::TempDir()) / "no-such-folder" / "x", "line");
-        ADD_FAILURE();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.code(), ErrorCode::Environment);
+TEST(RunRecord, IdentityIsWhatWasAskedNotWhatWasFound) {
+    const RunRecord record = sampleRecord();
+    RunRecord again = sampleRecord("shadow/sample", 0.5);
+    again.gpu_ms = {1, 1};
+    again.version = "9";
+    EXPECT_EQ(identityOf(record), identityOf(again));
+    for (const auto& change : std::vector<std::function<void(RunRecord&)>>{
+             [](RunRecord& r) { r.light = "other"; }, [](RunRecord& r) { r.seed = 2; },
+             [](RunRecord& r) { r.pipeline += ":resolution=1"; }, [](RunRecord& r) { r.truth->kind = "area"; },
+             [](RunRecord& r) { r.truth.reset(); }}) {
+        RunRecord other = sampleRecord();
+        change(other);
+        EXPECT_NE(identityOf(record), identityOf(other));
     }
 }
 

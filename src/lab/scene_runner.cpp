@@ -6,33 +6,12 @@
 #include <ombrage/error.h>
 #include <ombrage/version.h>
 
-#include "core/hash.h"
+#include "core/whole_file.h"
 #include "lab/pictures.h"
 
 namespace ombrage {
 
 namespace {
-
-Pipeline& placeOf(Family family, RenderSettings& settings) {
-    switch (family) {
-        case Family::Shadow:
-            return settings.shadow;
-        case Family::Indirect:
-            return settings.indirect;
-        case Family::Aa:
-            return settings.aa;
-        case Family::Ao:
-        case Family::Filter:
-            break;
-    }
-    return settings.ao;
-}
-
-std::string hashOf(const std::string& text) {
-    Hasher hasher;
-    hasher.text(text);
-    return hasher.hex();
-}
 
 RunRecord::Timing timing(const Stats& stats) {
     return {stats.median, stats.p95};
@@ -40,14 +19,9 @@ RunRecord::Timing timing(const Stats& stats) {
 
 }  // namespace
 
-SceneRunner::SceneRunner(const Scene& scene, const CompareRequest& request, Renderer& renderer,
+SceneRunner::SceneRunner(const Scene& scene, const CompareRequest& request, const CompareKeys& keys, Renderer& renderer,
                          std::function<bool(const std::string&)> tell)
-    : m_scene(scene),
-      m_moved(scene),
-      m_request(request),
-      m_renderer(renderer),
-      m_tell(std::move(tell)),
-      m_hash(contentHash(scene)) {
+    : m_scene(scene), m_moved(scene), m_request(request), m_keys(keys), m_renderer(renderer), m_tell(std::move(tell)) {
     animate(m_moved, request.base.time_s);
     m_camera = m_moved.cameraIndex(request.base.camera);
     m_traits = sceneTraits(m_moved);
@@ -77,16 +51,23 @@ const Receivers& SceneRunner::receivers() {
 }
 
 std::string SceneRunner::stem(int light) const {
-    // The hash keeps scenes of one name apart, the size runs of one folder.
-    std::string text = fileSlug(m_scene.name) + "-" + m_hash.substr(0, 6) + "-" +
-                       fileSlug(m_scene.cameras[std::size_t(m_camera)].name);
+    std::string text = fileSlug(m_scene.name) + "-" + fileSlug(m_scene.cameras[std::size_t(m_camera)].name);
     if (light >= 0) text += "-" + fileSlug(m_scene.lights[std::size_t(light)].name);
     return text + "-" + std::to_string(m_request.base.width) + "x" + std::to_string(m_request.base.height);
 }
 
+std::string SceneRunner::fileName(const PlannedRun& planned, std::optional<TruthKind> kind) const {
+    return stem(planned.light) + "-" + fileSlug(techniqueText(planned.pipeline)) + "-" +
+           m_keys.record(planned, kind).hash();
+}
+
+std::string SceneRunner::truthName(int light, TruthKind kind, const std::string& claimed) const {
+    return stem(light) + "-" + fileSlug(truthKindName(kind)) + "-" + m_keys.truth(light, kind, claimed).hash();
+}
+
 std::string SceneRunner::save(const std::string& name, const std::string& kind, const Image& image) const {
     const std::string path = "images/" + name + "-" + kind + ".png";
-    writeImage(m_request.outputDir / path, image);
+    writeWhole(m_request.outputDir / path, [&](const std::filesystem::path& part) { writeImage(part, image); });
     return path;
 }
 
@@ -132,7 +113,7 @@ SceneRunner::ShadowCase& SceneRunner::shadowCase(int light, TruthKind kind) {
         settings.givenVisibility[light] = greyPicture(made.truth.visibility, made.truth.width, made.truth.height);
         made.picture = displayed(m_renderer.render(settings).picture);
     }
-    const std::string name = stem(light) + (kind == TruthKind::Shadow ? "" : "-" + fileSlug(truthKindName(kind)));
+    const std::string name = truthName(light, kind, "");
     made.truthPath = save(name, "truth", greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
     made.picturePath = save(name, "truth-picture", made.picture);
     m_shadow = std::move(made);
@@ -157,10 +138,8 @@ SceneRunner::AoCase& SceneRunner::aoCase(TruthKind kind, const Pipeline& pipelin
     made.pipeline = claimed;
     made.truth =
         kind == TruthKind::Area ? m_reference->areaAo(camera, options) : m_reference->ao(seen, camera, options);
-    std::string name = stem(-1) + "-ao";
-    if (kind != TruthKind::T1) name += "-" + fileSlug(truthKindName(kind));
-    if (!claimed.empty()) name += "-" + hashOf(claimed).substr(0, 6);
-    made.truthPath = save(name, "truth", greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
+    made.truthPath = save(truthName(-1, kind, claimed), "truth",
+                          greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
     m_ao.push_back(std::move(made));
     return m_ao.back();
 }
@@ -261,7 +240,7 @@ void SceneRunner::measureAaRun(const Measured& run, RunRecord& record) {
     const Image reference = supersampled(settingsFor(-1)), picture = displayed(run.result.picture);
     record.metrics["flip"] = meanOf(flip(reference, picture));
     record.truth = RunRecord::Truth{truthKindName(run.kind), kAreaGrid * kAreaGrid, 0, 0};
-    record.images = {{"reference", save(stem(-1) + "-area", "truth-picture", reference)},
+    record.images = {{"reference", save(truthName(-1, run.kind, ""), "truth-picture", reference)},
                      {"picture", save(run.name, "picture", picture)}};
 }
 
@@ -269,7 +248,7 @@ RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings&
                                 const RenderResult& result) const {
     RunRecord record;
     record.scene = m_scene.name;
-    record.sceneHash = m_hash;
+    record.sceneHash = m_keys.sceneHash();
     record.camera = m_scene.cameras[std::size_t(m_camera)].name;
     if (planned.light >= 0) record.light = settings.light;
     record.width = settings.width;
@@ -296,15 +275,6 @@ RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings&
     return record;
 }
 
-std::string SceneRunner::fileName(const PlannedRun& planned, TruthKind kind) const {
-    // Parameters differ in more than letters and digits: a hash keeps their files apart.
-    const std::string text = toString(planned.pipeline), technique = techniqueText(planned.pipeline);
-    std::string name = stem(planned.light) + "-" + fileSlug(technique);
-    if (text != technique) name += "-" + hashOf(text).substr(0, 6);
-    if (kind != TruthKind::Shadow && kind != TruthKind::T1) name += "-" + fileSlug(truthKindName(kind));
-    return name;
-}
-
 std::vector<RunRecord> SceneRunner::run(const PlannedRun& planned) {
     RenderSettings settings = settingsFor(planned.light);
     placeOf(planned.family, settings) = planned.pipeline;
@@ -329,8 +299,7 @@ std::vector<RunRecord> SceneRunner::run(const PlannedRun& planned) {
     }
     if (planned.truths.empty()) {
         records.push_back(describe(planned, settings, result));
-        records.back().images["picture"] =
-            save(fileName(planned, TruthKind::Shadow), "picture", displayed(result.picture));
+        records.back().images["picture"] = save(fileName(planned, std::nullopt), "picture", displayed(result.picture));
     }
     return records;
 }

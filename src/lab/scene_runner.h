@@ -11,6 +11,7 @@
 #include <ombrage/compare.h>
 #include <ombrage/reference.h>
 
+#include "lab/compare_keys.h"
 #include "lab/domain.h"
 #include "lab/plan.h"
 #include "lab/run_record.h"
@@ -21,9 +22,10 @@ namespace ombrage {
 /// one light is kept until another light is asked for, so runs should come ordered by light.
 class SceneRunner {
 public:
+    /// @param keys   of this scene and request; they name the pictures
     /// @param tell   called with what is being done (an empty text is a sign of life); false stops with
     /// Error(Interrupted)
-    SceneRunner(const Scene& scene, const CompareRequest& request, Renderer& renderer,
+    SceneRunner(const Scene& scene, const CompareRequest& request, const CompareKeys& keys, Renderer& renderer,
                 std::function<bool(const std::string&)> tell);
 
     /// One render, and a record for each truth that it is held against.
@@ -70,17 +72,20 @@ private:
     const Receivers& receivers();
     void announce(const std::string& what) const;
     RenderSettings settingsFor(int light) const;
+    /// What a person looks for in a picture's name: scene, camera, light and size.
     std::string stem(int light) const;
-    std::string fileName(const PlannedRun& planned, TruthKind kind) const;
-    /// Writes DIR/images/STEM-KIND.png and returns the path relative to DIR.
-    std::string save(const std::string& stem, const std::string& kind, const Image& image) const;
+    /// The key's hash at the end keeps apart what differs in anything else.
+    std::string fileName(const PlannedRun& planned, std::optional<TruthKind> kind) const;
+    std::string truthName(int light, TruthKind kind, const std::string& claimed) const;
+    /// Writes DIR/images/NAME-KIND.png, in one step, and returns the path relative to DIR.
+    std::string save(const std::string& name, const std::string& kind, const Image& image) const;
 
     const Scene& m_scene;  ///< as loaded: the renderer animates it by itself
     Scene m_moved;         ///< at the chosen time, for the truth
     const CompareRequest& m_request;
+    const CompareKeys& m_keys;
     Renderer& m_renderer;
     std::function<bool(const std::string&)> m_tell;
-    std::string m_hash;
     int m_camera = 0;
     std::unique_ptr<Reference> m_reference;
     SceneTraits m_traits;

@@ -328,7 +328,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
 
     readBack(result, frame, produced);
     for (const std::string& name : order) {
-        PassCost cost{name, statsOf(passTimes[name]), 0, 0};
+        PassCost cost{name, statsOf(passTimes[name]), 0, 0, passTimes[name]};
         for (const auto& work : recorder.passes)
             if (work.name == name) {
                 cost.draws += work.draws;
@@ -339,6 +339,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     result.gpu_ms = statsOf(totals);
     result.frames_ms = totals;
     result.cpu_ms = statsOf(cpuTimes).median;
+    result.cpuFrames_ms = cpuTimes;
     result.gpuBytes = targets.bytes() + byteSize(*gbuffer) + slots.gpuBytes();
     result.counters = recorder.counters;
     for (int index : request.lights)

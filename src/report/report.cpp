@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <ombrage/compare.h>
 #include <ombrage/error.h>
-#include <algorithm>
-#include <fstream>
-#include <tuple>
+#include <map>
 
+#include "core/whole_file.h"
+#include "lab/run_record.h"
+#include "lab/store.h"
 #include "report/page.h"
 
 namespace ombrage {
@@ -14,23 +15,33 @@ namespace {
 /// A report is to be at most 8 MB; what is left beside the pictures holds the tables and the raw records.
 constexpr std::size_t kPictureBudget = 7'000'000;
 
-auto identity(const RunRecord& r) {
-    return std::tuple(std::tie(r.scene, r.sceneHash, r.camera, r.light, r.width, r.height, r.seed, r.pipeline),
-                      r.truth ? r.truth->kind : std::string());
+/// What the folder's store holds, or its JSON lines where it has none.
+struct Stored {
+    std::vector<std::string> records, notes;
+    std::string recordsFile, notesFile;  ///< for messages
+};
+
+Stored readFolder(const std::filesystem::path& folder) {
+    if (const auto store = ResultStore::openForReading(folder)) {
+        const std::string file = ResultStore::fileIn(folder).string();
+        return {store->records(kCompareKind), store->notes(), file + ": record ", file + ": note "};
+    }
+    return {readLines(folder / kRecordsFile), readLines(folder / kRunsFile), (folder / kRecordsFile).string() + ":",
+            (folder / kRunsFile).string() + ":"};
 }
 
 /// A run that was done again takes the place of the earlier one.
-std::vector<RunRecord> readRecords(const std::filesystem::path& folder) {
+std::vector<RunRecord> recordsOf(const Stored& stored) {
     std::vector<RunRecord> records;
+    std::map<std::string, std::size_t> places;
     int line = 0;
-    for (const std::string& text : readLines(folder / kRecordsFile)) {
-        RunRecord record = RunRecord::fromJson(text, (folder / kRecordsFile).string() + ":" + std::to_string(++line));
-        const auto same = std::find_if(records.begin(), records.end(),
-                                       [&](const RunRecord& other) { return identity(other) == identity(record); });
-        if (same == records.end())
+    for (const std::string& text : stored.records) {
+        RunRecord record = RunRecord::fromJson(text, stored.recordsFile + std::to_string(++line));
+        const auto [place, isNew] = places.emplace(identityOf(record), records.size());
+        if (isNew)
             records.push_back(std::move(record));
         else
-            *same = std::move(record);
+            records[place->second] = std::move(record);
     }
     return records;
 }
@@ -39,23 +50,18 @@ std::vector<RunRecord> readRecords(const std::filesystem::path& folder) {
 
 std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output) {
     ReportData data;
-    data.records = readRecords(folder);
+    const Stored stored = readFolder(folder);
+    data.records = recordsOf(stored);
     if (data.records.empty())
         throw Error(ErrorCode::Input, "there are no records in '" + folder.string() + "'",
-                    "a folder that 'ombrage compare -o DIR' wrote has a " + std::string(kRecordsFile));
+                    "a folder that 'ombrage compare -o DIR' wrote has some");
     int line = 0;
-    for (const std::string& text : readLines(folder / kRunsFile))
-        data.notes.push_back(RunNote::fromJson(text, (folder / kRunsFile).string() + ":" + std::to_string(++line)));
+    for (const std::string& text : stored.notes)
+        data.notes.push_back(RunNote::fromJson(text, stored.notesFile + std::to_string(++line)));
     data.previews = makePreviews(folder, data.records, kPictureBudget);
 
     const std::filesystem::path file = output.empty() ? folder / "report.html" : output;
-    const std::string page = reportPage(data);
-    std::ofstream out(file, std::ios::binary);
-    out.write(page.data(), std::streamsize(page.size()));
-    out.close();
-    if (!out)
-        throw Error(ErrorCode::Environment, "cannot write the report '" + file.string() + "'",
-                    "check that its folder exists and the disk has space", file.string());
+    writeWhole(file, reportPage(data));
     return file;
 }
 

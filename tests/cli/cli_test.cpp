@@ -3,6 +3,8 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <ombrage/image.h>
+#include <sched.h>
+#include <sys/mount.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <algorithm>
@@ -12,9 +14,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
 #include <thread>
 #include <vector>
 
@@ -43,8 +48,10 @@ protected:
     }
     void TearDown() override { fs::remove_all(m_folder); }
 
+    /// @param prepare  runs in the child before the program; what is not 0 becomes the exit code in its place
     pid_t start(std::vector<std::string> arguments,
-                const std::vector<std::pair<std::string, std::string>>& environment = {}) {
+                const std::vector<std::pair<std::string, std::string>>& environment = {},
+                const std::function<int()>& prepare = {}) {
         arguments.insert(arguments.begin(), OMBRAGE_PROGRAM);
         const pid_t child = fork();
         if (child != 0) return child;
@@ -55,6 +62,7 @@ protected:
         redirect("stdout", STDOUT_FILENO);
         redirect("stderr", STDERR_FILENO);
         if (chdir(m_folder.c_str()) != 0) _exit(99);
+        if (const int failed = prepare ? prepare() : 0) _exit(failed);
         std::vector<char*> pointers;
         for (std::string& argument : arguments) pointers.push_back(argument.data());
         pointers.push_back(nullptr);
@@ -72,6 +80,24 @@ protected:
     Result run(const std::vector<std::string>& arguments,
                const std::vector<std::pair<std::string, std::string>>& environment = {}) {
         return finish(start(arguments, environment));
+    }
+
+    /// The records of a folder without what is measured with a clock, sorted; every line is whole.
+    std::vector<std::string> untimed(const char* folder) {
+        std::vector<std::string> records;
+        std::istringstream in(content(m_folder / folder / "records.jsonl"));
+        for (std::string line; std::getline(in, line);) {
+            Json record = Json::parse(line);
+            record.erase("gpu_ms");
+            record.erase("cpu_ms");
+            for (Json& pass : record["passes"]) pass.erase("gpu_ms");
+            // The folders differ in name only: the pictures must be there and equal.
+            for (const auto& [kind, path] : record["images"].items())
+                record["images"][kind] = {path, content(m_folder / folder / path.get<std::string>()).size()};
+            records.push_back(record.dump());
+        }
+        std::sort(records.begin(), records.end());
+        return records;
     }
 
     /// The first id of the family beside its baseline.
@@ -94,7 +120,8 @@ TEST_F(Cli, VersionAndHelp) {
     const Result version = run({"--version"});
     EXPECT_EQ(version.code, 0);
     EXPECT_EQ(version.out.rfind("ombrage ", 0), 0u) << version.out;
-    for (const char* command : {"list", "info", "doctor", "render", "reference", "compare", "diff", "report", "demo"})
+    for (const char* command :
+         {"list", "info", "doctor", "render", "reference", "compare", "bench", "diff", "report", "demo"})
         for (const char* option : {"--help", "-h"}) {
             const Result help = run({command, option});
             EXPECT_EQ(help.code, 0) << command;
@@ -545,6 +572,174 @@ TEST_F(Cli, InterruptKeepsWholeLinesAndExits130) {
     std::istringstream in(lines);
     for (std::string line; std::getline(in, line);) EXPECT_TRUE(Json::accept(line)) << line;
     EXPECT_TRUE(fs::exists(m_folder / "out/report.html"));
+}
+
+TEST_F(Cli, RepeatedComparisonMeasuresOnlyWhatIsMissing) {
+    const std::vector<std::string> command{"compare",     "gap",      "corner", "--technique", idOf("shadow"),
+                                           "--technique", idOf("ao"), "-o",     "out",         "--size",
+                                           "64x36",       "--spp",    "8",      "--json"};
+    const Json first = Json::parse(run(command).out);
+    EXPECT_EQ(first["reused"], 0);
+    const std::string lines = content(m_folder / "out/records.jsonl");
+    const Result second = run(command);
+    ASSERT_EQ(second.code, 0) << second.err;
+    const Json again = Json::parse(second.out);
+    EXPECT_EQ(again["reused"], again["records"].size());
+    EXPECT_NE(second.err.find("in the folder already"), std::string::npos) << second.err;
+    EXPECT_EQ(again["records"], first["records"]);
+    EXPECT_EQ(content(m_folder / "out/records.jsonl"), lines);
+
+    // A picture that is gone takes its record with it, a gate holds for what is only looked up.
+    fs::remove(m_folder / "out" / first["records"][0]["images"]["visibility"].get<std::string>());
+    std::vector<std::string> gated = command;
+    gated.insert(gated.end(), {"--fail-on", "mae>=0"});
+    const Result mended = run(gated);
+    EXPECT_EQ(mended.code, 1);
+    EXPECT_EQ(Json::parse(mended.out)["reused"], first["records"].size() - 1);
+    EXPECT_EQ(Json::parse(mended.out)["failed_gates"].size(), first["records"].size());
+
+    std::vector<std::string> anew = command;
+    anew.push_back("--again");
+    EXPECT_EQ(Json::parse(run(anew).out)["reused"], 0);
+    // Another seed is another question.
+    std::vector<std::string> other = command;
+    other.insert(other.end(), {"--seed", "2"});
+    EXPECT_EQ(Json::parse(run(other).out)["reused"], 0);
+    EXPECT_EQ(untimed("out").size(), 2 * first["records"].size());
+}
+
+TEST_F(Cli, ComparisonKilledTenTimesEndsAsTheOneThatWasNot) {
+    const auto command = [](const char* folder) {
+        return std::vector<std::string>{"compare", "gap",    "sphere", "corner", "room", "comb",
+                                        "menger",  "--all",  "shadow", "--all",  "ao",   "-o",
+                                        folder,    "--size", "160x90", "--spp",  "16"};
+    };
+    ASSERT_EQ(run(command("whole")).code, 0);
+    const std::vector<std::string> expected = untimed("whole");
+    std::mt19937 random(3);
+    int killed = 0;
+    for (int i = 0; i < 10; ++i) {
+        const pid_t child = start(command("killed"));
+        std::this_thread::sleep_for(std::chrono::milliseconds(std::uniform_int_distribution(20, 450)(random)));
+        kill(child, SIGKILL);
+        killed += finish(child).code == 1000 + SIGKILL;
+        untimed("killed");  // throws for a line that is not whole
+    }
+    // A machine that is through in half a second would have tested nothing.
+    EXPECT_GE(killed, 5);
+    const Result last = run(command("killed"));
+    ASSERT_EQ(last.code, 0) << last.err;
+    EXPECT_EQ(untimed("killed"), expected);
+    EXPECT_EQ(content(m_folder / "killed/runs.jsonl").find("\"interrupted\":true"), std::string::npos);
+}
+
+TEST_F(Cli, TwoComparisonsShareAFolder) {
+    const auto command = [](const char* folder, const char* scene) {
+        return std::vector<std::string>{"compare", "sphere", scene,  "comb",   "--all",
+                                        "shadow",  "-o",     folder, "--size", "96x54"};
+    };
+    ASSERT_EQ(run(command("alone", "gap")).code, 0);
+    ASSERT_EQ(run(command("alone", "menger")).code, 0);
+    const pid_t one = start(command("shared", "gap")), two = start(command("shared", "menger"));
+    const Result first = finish(one), second = finish(two);
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_EQ(second.code, 0) << second.err;
+    EXPECT_EQ(untimed("shared"), untimed("alone"));
+}
+
+TEST_F(Cli, ResultsThatCannotBeUsedSayWhy) {
+    const std::vector<std::string> command{"compare", "gap", "--technique", idOf("shadow"),
+                                           "-o",      "out", "--size",      "64x36"};
+    fs::create_directories(m_folder / "out/images");
+    std::ofstream(m_folder / "out/results.sqlite") << std::string(4096, 'z');
+    for (const auto& arguments : {command, {"report", "out"}}) {
+        const Result damaged = run(arguments);
+        EXPECT_EQ(damaged.code, 3) << damaged.err;
+        EXPECT_NE(damaged.err.find("results.sqlite' are damaged"), std::string::npos) << damaged.err;
+        EXPECT_NE(damaged.err.find("hint: "), std::string::npos) << damaged.err;
+    }
+
+    // A folder that cannot be written. Root may write anywhere, so it becomes somebody else.
+    fs::remove_all(m_folder / "out");
+    ASSERT_EQ(run(command).code, 0);
+    fs::permissions(m_folder / "out", fs::perms(0555));
+    for (const auto& arguments : {command, {"report", "out"}}) {
+        const Result closed = finish(start(arguments, {}, [] { return getuid() == 0 && setuid(65534) != 0 ? 97 : 0; }));
+        EXPECT_EQ(closed.code, 4) << closed.err;
+        EXPECT_EQ(closed.out, "");
+    }
+    const Result elsewhere = finish(
+        start({"report", "out", "-o", "/dev/null"}, {}, [] { return getuid() == 0 && setuid(65534) != 0 ? 97 : 0; }));
+    EXPECT_EQ(elsewhere.code, 0) << elsewhere.err;
+    fs::permissions(m_folder / "out", fs::perms(0755));
+}
+
+TEST_F(Cli, FullDiskIsToldAndWhatWasDoneIsKept) {
+    fs::create_directories(m_folder / "out");
+    const std::vector<std::string> command{"compare", "gap", "sphere", "room",   "--all", "shadow",
+                                           "-o",      "out", "--size", "160x90", "--json"};
+    // A disk of 256 KiB that only the child sees. It fills up; the second run, below, finds more space.
+    constexpr int kNoDisk = 97, kNotFull = 96;
+    const auto fillSmallDisk = [&] {
+        const bool own = unshare(CLONE_NEWNS) == 0 || unshare(CLONE_NEWUSER | CLONE_NEWNS) == 0;
+        if (!own || mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
+            mount("tmpfs", "out", "tmpfs", 0, "size=256k") != 0)
+            return kNoDisk;
+        const Result full = run(command);
+        if (full.code != 4 || full.out != "" || full.err.find("hint: ") == std::string::npos) return kNotFull;
+        return mount("tmpfs", "out", "tmpfs", MS_REMOUNT, "size=64m") == 0 ? 0 : kNoDisk;
+    };
+    const Result resumed = finish(start(command, {}, fillSmallDisk));
+    if (resumed.code == kNoDisk) GTEST_SKIP() << "this machine lets nobody mount a small disk";
+    ASSERT_EQ(resumed.code, 0) << resumed.err;
+    EXPECT_GT(Json::parse(resumed.out)["reused"], 0);
+}
+
+TEST_F(Cli, BenchExportsAndHoldsAgainstABaseline) {
+    const std::vector<std::string> command{"bench",    "gap", "--technique", idOf("shadow"),
+                                           "--frames", "8",   "--size",      "32x18"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), command.begin(), command.end());
+        return more;
+    };
+    const Result first =
+        run(with({"--export-json", "a.json", "--export-csv", "deep/a.csv", "--export-markdown", "a.md"}));
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_EQ(first.out, content(m_folder / "a.md"));
+    EXPECT_NE(content(m_folder / "deep/a.csv").find("\"gap\""), std::string::npos);
+    Json baseline = Json::parse(content(m_folder / "a.json"));
+    EXPECT_EQ(baseline["schema"], "ombrage/bench/1");
+
+    // A baseline of a hundredth of the time: nothing on this machine is noisy enough to hide that.
+    Json& deciding = baseline["groups"][0]["runs"][0][baseline["decided_by"].get<std::string>()];
+    for (Json& sample : deciding["samples"]) sample = sample.get<double>() / 100;
+    std::ofstream(m_folder / "fast.json") << baseline;
+    const Result slower = run(with({"--baseline", "fast.json", "--fail-on", "+50%", "--json"}));
+    EXPECT_EQ(slower.code, 1) << slower.err;
+    EXPECT_NE(slower.err.find("against the baseline"), std::string::npos) << slower.err;
+    EXPECT_EQ(Json::parse(slower.out)["regressions"].size(), 1u);
+    for (Json& sample : deciding["samples"]) sample = sample.get<double>() * 10000;
+    std::ofstream(m_folder / "slow.json") << baseline;
+    EXPECT_EQ(run(with({"--baseline", "slow.json", "--fail-on", "+50%"})).code, 0);
+
+    EXPECT_EQ(run(with({"--baseline", "none.json"})).code, 3);
+    expectUsageError(with({"--fail-on", "+5%"}), "--baseline");
+    expectUsageError(with({"--sweep", "resolution"}), "AXIS=A..B");
+    expectUsageError(with({"--program", "--sweep", "size=1..2"}), "does not go with --program");
+}
+
+TEST_F(Cli, BenchMeasuresWholeProgramsApart) {
+    const Result result = run({"bench", "gap", "--program", "--technique", "shadow/none", "--technique", idOf("shadow"),
+                               "--seconds", "1", "--size", "32x18", "--json", "--export-json", "p.json"});
+    ASSERT_EQ(result.code, 0) << result.err;
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["schema"], "ombrage/program/1");
+    ASSERT_EQ(json["programs"].size(), 2u);
+    for (const Json& row : json["programs"]) {
+        EXPECT_GT(row["fps"], 0);
+        EXPECT_GT(row["memory_mib"], 10);
+    }
+    EXPECT_EQ(content(m_folder / "p.json"), result.out);
 }
 
 TEST_F(Cli, ADecimalCommaInTheEnvironmentChangesNothing) {

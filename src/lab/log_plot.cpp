@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "shared/log_plot.h"
+#include "lab/log_plot.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
-namespace ombrage::bench {
+namespace ombrage {
 
 namespace {
 
@@ -112,4 +112,4 @@ std::string logPlot(const std::string& title, const std::string& xLabel, const s
     return svg;
 }
 
-}  // namespace ombrage::bench
+}  // namespace ombrage

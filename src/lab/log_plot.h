@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace ombrage::bench {
+namespace ombrage {
 
 struct Curve {
     std::string name;
@@ -19,4 +19,4 @@ double fittedExponent(const std::vector<double>& x, const std::vector<double>& y
 std::string logPlot(const std::string& title, const std::string& xLabel, const std::string& yLabel,
                     const std::vector<Curve>& curves);
 
-}  // namespace ombrage::bench
+}  // namespace ombrage
