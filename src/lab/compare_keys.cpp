@@ -39,7 +39,8 @@ ResultKey CompareKeys::record(const PlannedRun& planned, std::optional<TruthKind
     return common(kCompareKind, planned.light)
         .add("family", familyName(planned.family))
         .add("pipeline", toString(planned.pipeline))
-        .add("truth", kind ? truthKindName(*kind) : "");
+        .add("truth", kind ? truthKindName(*kind) : "")
+        .add("motion", planned.motion ? toString(*planned.motion) : "");
 }
 
 ResultKey CompareKeys::truth(int light, TruthKind kind, const std::string& claimed) const {
