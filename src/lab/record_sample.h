@@ -16,7 +16,6 @@ inline RunRecord sampleRecord(const std::string& technique = "shadow/sample", do
     r.sceneHash = "0123456789abcdef";
     r.camera = "main";
     r.light = "lamp";
-    r.motion = "light-jump";
     r.width = 640;
     r.height = 360;
     r.family = technique.substr(0, technique.find('/'));
