@@ -158,8 +158,13 @@ Caster chosenCaster(const Scene& scene, const std::string& name) {
 
 void poseScene(Scene& scene, const Scene& start, const Motion& motion, int camera, int light, const Caster& caster,
                int frame) {
-    const Bounds bounds = start.bounds();
+    // As it was, to the last bit, before the first step.
+    scene.cameras = start.cameras;
+    scene.lights = start.lights;
+    scene.instances = start.instances;
     const int steps = stepsDone(motion.script, frame);
+    if (steps == 0) return;
+    const Bounds bounds = start.bounds();
     const double distance_m = steps * motion.script.percent / 100 * bounds.diagonal();
     const double angle_rad = steps * motion.script.degrees * kPi / 180;
     const Camera& cameraAtStart = start.cameras[std::size_t(camera)];

@@ -36,10 +36,6 @@ MotionStage::MotionStage(const Scene& scene, int camera, ReferenceOptions option
 void MotionStage::ask(const MotionQuestion& question) {
     m_question = question;
     m_caster = question.motion.movesCaster() ? chosenCaster(m_start, question.motion.caster) : Caster{};
-    // Lights, cameras and casters that an earlier question moved go back.
-    m_scene.cameras = m_start.cameras;
-    m_scene.lights = m_start.lights;
-    m_scene.instances = m_start.instances;
     const std::string traced = toString(question.motion) + "\n" + std::to_string(question.light) + "\n" +
                                truthKindName(question.kind) + "\n" + familyName(question.family);
     if (traced != m_tracedFor) m_truths.clear();

@@ -2,6 +2,7 @@
 // Planted techniques: pictures made of the truth, as it is, late, or wrong in a known way.
 #include "lab/motion_stage.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -72,7 +73,9 @@ TEST_F(MotionStageTest, APlantedDelayIsReadInFrames) {
             EXPECT_EQ(metric(measured, "lag"), late) << name;
             EXPECT_EQ(sequence, 2);
             EXPECT_TRUE(measured.settled);
-            if (late > 0) EXPECT_GT(metric(measured, "flicker_patch"), 0.0);
+            if (late > 0) {
+                EXPECT_GT(metric(measured, "flicker_patch"), 0.0);
+            }
         }
 }
 
@@ -167,7 +170,9 @@ TEST_F(MotionStageTest, WhatMovesIsLeftOut) {
                                                                        int(receivers.instance[i])) > 0);
     const MotionMeasurement measured = measureMotion(m_stage, [&](int, bool) { return perfect(); });
     for (std::size_t i = 0; i < on.size(); ++i)
-        if (on[i]) EXPECT_EQ(measured.mask[i], Mask::Disagree);
+        if (on[i]) {
+            EXPECT_EQ(measured.mask[i], Mask::Disagree);
+        }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "lab/motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -116,7 +117,9 @@ TEST(ChosenCaster, IsTheLargestThatIsNoRoomOrFloor) {
     ASSERT_EQ(chosen.instances.size(), 1u);
     // By name a model or a mesh, whatever its size.
     for (const Model& model : scene.models)
-        if (model.casts) EXPECT_EQ(chosenCaster(scene, model.name).name, model.name);
+        if (model.casts) {
+            EXPECT_EQ(chosenCaster(scene, model.name).name, model.name);
+        }
     EXPECT_THROW(chosenCaster(scene, "nothing"), Error);
 
     // A model that does not cast is not chosen.

@@ -50,7 +50,9 @@ TEST(Plan, MotionsFollowTheStillPicturesOfALight) {
                                                "1 light-jump", "1 light-jump", "-1", "-1 camera-walk"}));
     EXPECT_EQ(reasonsWith(plan, "changes nothing of ambient occlusion"), 1u);
     for (const PlannedRun& run : plan.runs)
-        if (run.motion) EXPECT_EQ(run.truths.size(), 1u);
+        if (run.motion) {
+            EXPECT_EQ(run.truths.size(), 1u);
+        }
 }
 
 TEST(Plan, SaysWhatHasNoMotion) {

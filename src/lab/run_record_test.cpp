@@ -38,7 +38,7 @@ TEST(RunRecord, TellsMotionsApart) {
     EXPECT_EQ(RunRecord::fromJson(record.toJson(), "test"), record);
     EXPECT_NE(identityOf(record), identity);
     // Records from before there were motions.
-    auto old = nlohmann::json::parse(still);
+    auto old = nlohmann::ordered_json::parse(still);
     old.erase("motion");
     EXPECT_EQ(RunRecord::fromJson(old.dump(), "test"), sampleRecord());
 }

@@ -84,10 +84,11 @@ TEST_F(MovingSceneTest, TheFitCameraMovesWhatTechniquesFitToAndNothingElse) {
         settings.fitCamera->target.x += 5;
         const RenderResult other = again(settings);
         EXPECT_EQ(other.triangle, own.triangle);
-        if (std::string(fit) == "view")
+        if (std::string(fit) == "view") {
             EXPECT_NE(other.visibility, own.visibility);
-        else
+        } else {
             EXPECT_EQ(other.visibility, own.visibility);
+        }
     }
 }
 

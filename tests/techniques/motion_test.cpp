@@ -49,15 +49,16 @@ protected:
 };
 
 TEST_F(MotionTest, AMapThatIsFittedToTheViewSwimsAndOneOfTheSceneDoesNot) {
-    for (const char* motion : {"camera-walk", "camera-turn"}) {
-        const auto toScene = play("long-view", "shadow/map:resolution=256", motion);
-        EXPECT_EQ(toScene["flicker_mean"], 0.0);
-        EXPECT_EQ(toScene["flicker_patch"], 0.0);
-        EXPECT_TRUE(toScene["lag"].is_null());
-        const auto toView = play("long-view", "shadow/map:resolution=256,fit=view", motion);
-        EXPECT_GT(toView["flicker_mean"].get<double>(), 0.001);
-        EXPECT_GT(toView["flicker_patch"].get<double>(), 4.0);
-    }
+    const auto toScene = play("long-view", "shadow/map:resolution=256", "camera-walk");
+    EXPECT_EQ(toScene["flicker_mean"], 0.0);
+    EXPECT_EQ(toScene["flicker_patch"], 0.0);
+    EXPECT_TRUE(toScene["lag"].is_null());
+    // Measured 0.035 at 320 x 180 and 1024 texels.
+    const auto toView = play("long-view", "shadow/map:resolution=256,fit=view", "camera-walk");
+    EXPECT_GT(toView["flicker_mean"].get<double>(), 0.01);
+    EXPECT_GT(toView["flicker_patch"].get<double>(), 10.0);
+    // A turn leaves the map where it is as long as the casters' own extent is in view.
+    EXPECT_EQ(play("gap", "shadow/map:resolution=256,fit=view", "camera-turn")["flicker_mean"], 0.0);
 }
 
 TEST_F(MotionTest, ExactShadowsNeitherFlickerNorLag) {
@@ -66,10 +67,11 @@ TEST_F(MotionTest, ExactShadowsNeitherFlickerNorLag) {
         // Rays of floats and of doubles differ at single points of an edge: 1 of 160 x 90 in a frame is 0.00007.
         EXPECT_LT(metrics["flicker_mean"].get<double>(), 0.0005) << script.name;
         EXPECT_EQ(metrics["flicker_p99"], 0.0) << script.name;
-        if (script.jumpAt > 0)
+        if (script.jumpAt > 0) {
             EXPECT_EQ(metrics["lag"], 0) << script.name;
-        else
+        } else {
             EXPECT_TRUE(metrics["lag"].is_null()) << script.name;
+        }
     }
 }
 
