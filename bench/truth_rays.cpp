@@ -283,9 +283,10 @@ void measure(const std::string& scene, const BareScene& bare, const Question& q,
 
 int run(int argc, char** argv) {
     CLI::App app("Rays per second of the truth against bare loops over the same rays");
-    std::vector<std::string> scenes{"menger"};
+    std::vector<std::string> scenes{"menger"}, questions;
     int threads = 2, rounds = 7;
     app.add_option("scene", scenes, "built-in scenes, scene files or model files (menger)");
+    app.add_option("--question", questions, "only these (all)")->check(CLI::IsMember({"hard", "soft", "ao"}));
     app.add_option("--threads", threads, "of the truth and of the loops (2)")->check(CLI::Range(1, 256));
     app.add_option("--rounds", rounds, "measured rounds (7)")->check(CLI::Range(1, 1000));
     CLI11_PARSE(app, argc, argv);
@@ -303,9 +304,12 @@ int run(int argc, char** argv) {
         const BareScene bare(flat, float(200 * rays.positionError_m(0)));
         const Setting hardSetting{scene, reference, flat, rays}, softSetting{sized, sizedReference, flat, rays};
         const Camera& camera = scene.cameras.front();
-        measure(scene.name, bare, hard(hardSetting, camera, threads), rounds);
-        measure(scene.name, bare, soft(softSetting, camera, threads), rounds);
-        measure(scene.name, bare, ambient(hardSetting, camera, threads), rounds);
+        const auto isAsked = [&](const char* question) {
+            return questions.empty() || std::find(questions.begin(), questions.end(), question) != questions.end();
+        };
+        if (isAsked("hard")) measure(scene.name, bare, hard(hardSetting, camera, threads), rounds);
+        if (isAsked("soft")) measure(scene.name, bare, soft(softSetting, camera, threads), rounds);
+        if (isAsked("ao")) measure(scene.name, bare, ambient(hardSetting, camera, threads), rounds);
     }
     return 0;
 }

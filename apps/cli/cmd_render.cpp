@@ -73,6 +73,7 @@ int runRender(const Options& options) {
         throw Error(ErrorCode::Usage, "'--show all' writes many pictures, and '" + file + "' is one file",
                     "name a folder with -o");
     if (show != "final" && !listing) settings.show = {show};
+    settings.images = false;
 
     std::optional<TraceFile> trace;
     if (options.has("trace")) trace.emplace(options.text("trace"));

@@ -58,6 +58,9 @@ struct RenderSettings {
     Timing timing = Timing::Passes;
     std::uint64_t seed = 1;
     std::vector<std::string> show;         ///< pictures wanted beside the final one, by name; "all" for every one
+    /// False: nothing but the picture and what `show` names is wanted. RenderResult has no visibility, ao and ids then,
+    /// and lighting asks shadow techniques that can answer pixel by pixel (shadow/map) without an image between them.
+    bool images = true;
     /// Called before each frame with the share done in [0,1]; returning false ends the call with Error(Interrupted).
     std::function<bool(double)> progress;
     std::map<int, Image> givenVisibility;  ///< per light index: use this visibility in the shadow pipeline's place

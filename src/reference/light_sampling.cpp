@@ -27,13 +27,15 @@ LightShape::LightShape(const Light& light, const glm::dvec3& origin)
       m_direction(glm::normalize(glm::dvec3(light.direction))),
       m_tangent(lightTangent(light)),
       m_bitangent(lightBitangent(light)),
-      m_hasSize(light.hasSize()) {}
+      m_hasSize(light.hasSize()),
+      m_cosInner(std::cos(double(light.inner_rad))),
+      m_cosOuter(std::cos(double(light.outer_rad))) {}
 
 double LightShape::spotFalloff(const glm::dvec3& fromLight) const {
     // Squared ramp of the cosine between the inner and the outer cone (KHR_lights_punctual).
     const double cosine = glm::dot(fromLight, m_direction);
-    const double inner = std::cos(double(m_light.inner_rad)), outer = std::cos(double(m_light.outer_rad));
-    const double ramp = inner > outer ? (cosine - outer) / (inner - outer) : (cosine >= outer ? 1.0 : 0.0);
+    const double ramp = m_cosInner > m_cosOuter ? (cosine - m_cosOuter) / (m_cosInner - m_cosOuter)
+                                                : (cosine >= m_cosOuter ? 1.0 : 0.0);
     const double t = std::clamp(ramp, 0.0, 1.0);
     return t * t;
 }

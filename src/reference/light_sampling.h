@@ -36,6 +36,9 @@ public:
 
     bool hasSize() const { return m_hasSize; }
 
+    /// Every point sees its centre in the same direction, and position does not matter to mask() either.
+    bool isDirectional() const { return m_light.type == LightType::Sun; }
+
     /// The light's centre; irradiance as if all light came from there.
     LightSample centre(const glm::dvec3& point) const;
 
@@ -59,6 +62,7 @@ private:
     glm::dvec3 m_direction;
     glm::dvec3 m_tangent, m_bitangent;
     bool m_hasSize;
+    double m_cosInner, m_cosOuter;  ///< of a spot's cones
 };
 
 /// Two unit vectors that complete `n` to an orthonormal basis.

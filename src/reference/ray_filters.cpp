@@ -65,25 +65,31 @@ void filterHoles(const RTCFilterFunctionNArguments* args) {
 void filterHits(const RTCFilterFunctionNArguments* args) {
     const auto& context = *reinterpret_cast<const RayContext*>(args->context);
     const FlatScene& flat = *context.flat;
-    for (unsigned i = 0; i < args->N; ++i) {
-        if (args->valid[i] == 0) continue;
-        const Ray& ray = context.rays[RTCRayN_id(args->ray, args->N, i)];
+    const unsigned n = args->N;
+    int* valid = args->valid;
+    for (unsigned i = 0; i < n; ++i) {
+        if (valid[i] == 0) continue;
+        // The receiver's own triangle, which most rays leave from.
+        const Ray& ray = context.rays[RTCRayN_id(args->ray, n, i)];
         const std::uint32_t triangle =
-            context.triangleOf(RTCHitN_geomID(args->hit, args->N, i), RTCHitN_primID(args->hit, args->N, i));
+            context.triangleOf(RTCHitN_geomID(args->hit, n, i), RTCHitN_primID(args->hit, n, i));
+        if (triangle == ray.ownTriangle) {
+            valid[i] = 0;
+            continue;
+        }
 
-        // The receiver's own triangle, and instances that this ray does not see.
-        bool counts =
-            triangle != ray.ownTriangle && (!ray.instances || (*ray.instances)[flat.triangleInstance[triangle]]);
+        // Instances that this ray does not see.
+        bool counts = !ray.instances || (*ray.instances)[flat.triangleInstance[triangle]];
 
         // The float origin may lie a rounding error behind its surface and then meets the neighbours in the same plane.
         // A second look in double tells them from a true blocker, however near that is.
-        const float distance_m = RTCRayN_tfar(args->ray, args->N, i);
+        const float distance_m = RTCRayN_tfar(args->ray, n, i);
         if (counts && distance_m < context.recheckBelow_m)
             counts = meetsBeyond(flat, triangle, ray, double(context.recheckBelow_m) * 1e-9);
 
         // A hit that is only counted is refused as well, so that the ray goes on.
         if (counts && context.crossed) context.crossed->emplace_back(triangle, distance_m);
-        if (!counts || context.crossed) args->valid[i] = 0;
+        if (!counts || context.crossed) valid[i] = 0;
     }
 }
 

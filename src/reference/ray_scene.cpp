@@ -90,6 +90,21 @@ struct RayScene::Impl {
     EmbreeScene embree;
 };
 
+inline RayHit RayScene::Impl::refined(const Ray& ray, RayHit hit) const {
+    // Moeller and Trumbore 1997.
+    const glm::uvec3 t = flat.triangles[hit.triangle];
+    const glm::dvec3 a(flat.positions[t.x]);
+    const glm::dvec3 ab = glm::dvec3(flat.positions[t.y]) - a, ac = glm::dvec3(flat.positions[t.z]) - a;
+    const glm::dvec3 p = glm::cross(ray.direction, ac), fromA = ray.origin - a, q = glm::cross(fromA, ab);
+    const double determinant = glm::dot(ab, p);
+    if (determinant == 0) return hit;
+    // A ray along the edge may leave the triangle by the rounding that Embree's robust test allows: back onto it.
+    hit.u = std::clamp(glm::dot(fromA, p) / determinant, 0.0, 1.0);
+    hit.v = std::clamp(glm::dot(ray.direction, q) / determinant, 0.0, 1.0 - hit.u);
+    hit.distance_m = glm::dot(ac, q) / determinant;
+    return hit;
+}
+
 bool RayScene::Impl::attach(std::vector<std::uint32_t> wanted, RTCFilterFunctionN filter) {
     if (wanted.empty()) return true;
     RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -230,7 +245,7 @@ std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
     return m_impl->refined(ray, {context.triangleOf(r.hit.geomID, r.hit.primID), r.hit.u, r.hit.v, r.ray.tfar});
 }
 
-void RayScene::nearest(const Ray* rays, int count, std::optional<RayHit>* hits) const {
+void RayScene::nearest(const Ray* rays, int count, Blockers& found) const {
     RayContext context = m_impl->context(rays);
     context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     alignas(64) int valid[RayBundle::kSize]{};
@@ -239,26 +254,12 @@ void RayScene::nearest(const Ray* rays, int count, std::optional<RayHit>* hits) 
     for (unsigned& geometry : packet.hit.geomID) geometry = RTC_INVALID_GEOMETRY_ID;
     rtcIntersect16(valid, m_impl->embree.get(), &context.base, &packet);
     for (int i = 0; i < count; ++i) {
-        hits[i].reset();
+        const auto k = std::size_t(i);
+        found.triangle[k] = 0xffffffffu;
         if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-        const std::uint32_t triangle = context.triangleOf(packet.hit.geomID[i], packet.hit.primID[i]);
-        hits[i] = m_impl->refined(rays[i], {triangle, packet.hit.u[i], packet.hit.v[i], packet.ray.tfar[i]});
+        found.triangle[k] = context.triangleOf(packet.hit.geomID[i], packet.hit.primID[i]);
+        found.distance_m[k] = m_impl->refined(rays[i], {found.triangle[k], 0, 0, packet.ray.tfar[i]}).distance_m;
     }
-}
-
-RayHit RayScene::Impl::refined(const Ray& ray, RayHit hit) const {
-    // Moeller and Trumbore 1997.
-    const glm::uvec3 t = flat.triangles[hit.triangle];
-    const glm::dvec3 a(flat.positions[t.x]);
-    const glm::dvec3 ab = glm::dvec3(flat.positions[t.y]) - a, ac = glm::dvec3(flat.positions[t.z]) - a;
-    const glm::dvec3 p = glm::cross(ray.direction, ac), fromA = ray.origin - a, q = glm::cross(fromA, ab);
-    const double determinant = glm::dot(ab, p);
-    if (determinant == 0) return hit;
-    // A ray along the edge may leave the triangle by the rounding that Embree's robust test allows: back onto it.
-    hit.u = std::clamp(glm::dot(fromA, p) / determinant, 0.0, 1.0);
-    hit.v = std::clamp(glm::dot(ray.direction, q) / determinant, 0.0, 1.0 - hit.u);
-    hit.distance_m = glm::dot(ac, q) / determinant;
-    return hit;
 }
 
 void RayScene::crossings(const Ray& ray, std::vector<RayCrossing>& found) const {
@@ -284,6 +285,10 @@ void RayScene::crossings(const Ray& ray, std::vector<RayCrossing>& found) const 
     }
     std::sort(found.begin(), found.end(),
               [](const RayCrossing& a, const RayCrossing& b) { return a.distance_m < b.distance_m; });
+}
+
+double RayScene::lengthTo_m(double distance_m) const {
+    return std::isfinite(distance_m) ? std::max(0.0, distance_m - positionError_m(distance_m)) : distance_m;
 }
 
 double RayScene::positionError_m(double distance_m) const {

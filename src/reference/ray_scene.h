@@ -63,8 +63,14 @@ public:
     bool occluded(const Ray& ray) const;
     std::optional<RayHit> nearest(const Ray& ray) const;
 
+    /// What is nearest along each of up to RayBundle::kSize rays.
+    struct Blockers {
+        std::array<std::uint32_t, RayBundle::kSize> triangle;  ///< 0xffffffff where nothing is
+        std::array<double, RayBundle::kSize> distance_m;
+    };
+
     /// The same for up to RayBundle::kSize rays that start and end near each other.
-    void nearest(const Ray* rays, int count, std::optional<RayHit>* hits) const;
+    void nearest(const Ray* rays, int count, Blockers& found) const;
 
     /// Looks around the point once. `instances` as in Ray.
     RayOrigin startAt(const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t ownTriangle,
@@ -75,6 +81,9 @@ public:
 
     /// Every surface that the ray meets, nearest first.
     void crossings(const Ray& ray, std::vector<RayCrossing>& found) const;
+
+    /// Length of a ray that ends just before a light so far away; a sun stays infinitely far.
+    double lengthTo_m(double distance_m) const;
 
     /// Rounding error of a position in this space times a few: how near to the light a hit may count as the light
     /// itself.

@@ -10,51 +10,54 @@
 #include "reference/reference_impl.h"
 
 namespace ombrage {
-namespace {
-
 double maskedShareOf(const std::vector<Mask>& mask) {
-    const auto sky = std::count(mask.begin(), mask.end(), Mask::Sky);
-    const auto valid = std::count(mask.begin(), mask.end(), Mask::Valid);
-    const auto seen = std::ptrdiff_t(mask.size()) - sky;
+    // Blocks whose counts fit a byte: many at a time.
+    std::size_t sky = 0, valid = 0;
+    for (std::size_t first = 0; first < mask.size(); first += 255) {
+        const std::size_t end = std::min(first + 255, mask.size());
+        std::uint8_t skyHere = 0, validHere = 0;
+        for (std::size_t i = first; i < end; ++i) {
+            skyHere = std::uint8_t(skyHere + (mask[i] == Mask::Sky));
+            validHere = std::uint8_t(validHere + (mask[i] == Mask::Valid));
+        }
+        sky += skyHere;
+        valid += validHere;
+    }
+    const std::size_t seen = mask.size() - sky;
     return seen > 0 ? double(seen - valid) / double(seen) : 0.0;
 }
-
-}  // namespace
 
 Reference::Reference(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
 Reference::~Reference() = default;
 
-void SurfacePoints::turnTo(std::uint32_t triangle) {
-    m_triangle = triangle;
+void SurfacePoints::fill(Plane& plane, std::uint32_t triangle) const {
     const glm::uvec3 t = m_flat.triangles[triangle];
-    m_a = glm::dvec3(m_flat.positions[t.x]);
-    m_ab = glm::dvec3(m_flat.positions[t.y]) - m_a;
-    m_ac = glm::dvec3(m_flat.positions[t.z]) - m_a;
-    const glm::dvec3 n = glm::cross(m_ab, m_ac);
-    const double doubleArea = glm::length(n);
-    m_normal = doubleArea > 0 ? n / doubleArea : glm::dvec3(0.0);
+    plane.triangle = triangle;
+    plane.knowsLeast = false;
+    plane.a = glm::dvec3(m_flat.positions[t.x]);
+    plane.ab = glm::dvec3(m_flat.positions[t.y]) - plane.a;
+    plane.ac = glm::dvec3(m_flat.positions[t.z]) - plane.a;
+    const glm::dvec3 n = glm::cross(plane.ab, plane.ac);
+    plane.doubleArea = glm::length(n);
+    plane.normal = plane.doubleArea > 0 ? n / plane.doubleArea : glm::dvec3(0.0);
+}
+
+void SurfacePoints::findLeast(Plane& plane) const {
     // A weight is the distance to the opposite edge over the height on it; at most the middle is reached.
-    const glm::dvec3 edges(glm::length(m_ac - m_ab), glm::length(m_ac), glm::length(m_ab));
-    m_least = doubleArea > 0 ? glm::min(edges * (m_inset_m / doubleArea), 1.0 / 3) : glm::dvec3(1.0 / 3);
+    const glm::dvec3 edges(glm::length(plane.ac - plane.ab), glm::length(plane.ac), glm::length(plane.ab));
+    plane.least =
+        plane.doubleArea > 0 ? glm::min(edges * (m_inset_m / plane.doubleArea), 1.0 / 3) : glm::dvec3(1.0 / 3);
+    plane.knowsLeast = true;
 }
 
 SurfacePoint SurfacePoints::at(std::size_t index) {
+    turnTo(index);
     SurfacePoint p;
-    p.triangle = m_receivers.triangle[index];
+    p.triangle = m_plane->triangle;
     p.instance = m_receivers.instance[index];
-    if (p.triangle != m_triangle) turnTo(p.triangle);
-
-    // In this form a level plane keeps its exact height, which grazing rays along it need.
-    const glm::dvec2 uv(m_receivers.barycentric[index]);
-    glm::dvec3 w = glm::max(glm::dvec3(1 - uv.x - uv.y, uv.x, uv.y), m_least);
-    w /= w.x + w.y + w.z;
-    p.position = m_a + m_ab * w.y + m_ac * w.z;
-
-    // The stored normal tells the side; the triangle gives it in full precision.
-    const glm::dvec3 stored(m_receivers.normal[index]);
-    p.normal = m_normal == glm::dvec3(0.0) ? stored : m_normal;
-    if (glm::dot(p.normal, stored) < 0) p.normal = -p.normal;
-    p.shadingNormal = glm::normalize(glm::dvec3(m_receivers.shadingNormal[index]));
+    p.position = position();
+    p.normal = normal();
+    p.shadingNormal = shadingNormal();
     return p;
 }
 

@@ -14,6 +14,10 @@ struct LightBlock {
 };
 
 constexpr float kNoRange = 1e30f;
+constexpr unsigned kUnitAo = 3, kUnitIndirect = 4, kUnitVisibility = kFirstFreeUnit;
+
+/// What stands behind the lookup's include where lighting looks nothing up.
+const std::pair<std::string, std::string> kNoLookup{kShadowLookupPath, ""};
 
 }  // namespace
 
@@ -41,15 +45,16 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
     const bool naive = settings.composite != Composite::Lighting && !lights.empty();
     auto color = frame.targets->take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "color");
     {
-        const auto pass = frame.pass("lighting");
+        const bool looksUp = !lights.empty() && lights.front().lookup;
+        const auto pass = frame.pass(looksUp ? "lighting with " + lights.front().technique->entry().id() : "lighting");
         const gl::Framebuffer target({{color.get()}}, {&frame.gbuffer->depth}, "lighting");
         target.bind();
         // The sky shows the surroundings' own radiance, as in the truth's picture.
         target.clearColor(0, glm::vec4(glm::vec3(frame.scene->ambient), 1.0f));
         frame.gpuScene->bindStorage();
         frame.bindGBuffer();
-        if (ao) ao->bind(6);
-        if (indirect) indirect->bind(7);
+        if (ao) ao->bind(kUnitAo);
+        if (indirect) indirect->bind(kUnitIndirect);
         // The first light is drawn together with all that no light owns; later ones are added.
         const std::size_t passes = std::max<std::size_t>(lights.size(), 1);
         for (std::size_t i = 0; i < passes; ++i) {
@@ -64,16 +69,25 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
             define("AMBIENT", i == 0 && settings.ambient != AmbientTerm::Off);
             define("OCCLUSION", i == 0 && settings.ambient == AmbientTerm::Ao && ao);
             define("INDIRECT", i == 0 && indirect);
-            if (!lights.empty()) {
-                bindLight(lights[i].light, frame.gpuScene->flat().instances.size());
-                defines.emplace_back("LIGHT_TYPE", std::to_string(int(lights[i].light.light->type)));
-                define("VISIBILITY", lights[i].visibility && !naive);
-                if (lights[i].visibility) lights[i].visibility->bind(5);
+            const LitLight* lit = lights.empty() ? nullptr : &lights[i];
+            if (lit) {
+                bindLight(lit->light, frame.gpuScene->flat().instances.size());
+                defines.emplace_back("LIGHT_TYPE", std::to_string(int(lit->light.light->type)));
+                define("VISIBILITY", lit->visibility && !naive);
+                if (lit->visibility) lit->visibility->bind(kUnitVisibility);
             }
-            const gl::Program& program = frame.program(
-                {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}},
-                std::move(defines));
-            program.set("u_ambient", frame.scene->ambient);
+            const std::vector<gl::ShaderStage> stages = {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
+                                                         {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}};
+            if (lit && lit->lookup) {
+                defines.emplace_back("LOOKUP", "1");
+                defines.insert(defines.end(), lit->lookup->defines.begin(), lit->lookup->defines.end());
+                const gl::Program& program =
+                    frame.program(*lit->technique, stages, std::move(defines), includeOf(*lit->lookup));
+                lit->lookup->bind(program);
+                program.set("u_ambient", frame.scene->ambient);
+            } else {
+                frame.program(stages, std::move(defines), {kNoLookup}).set("u_ambient", frame.scene->ambient);
+            }
             frame.drawSurfaces(i > 0);
         }
     }

@@ -1,18 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <ombrage/renderer.h>
 
 #include "render/frame_context.h"
+#include "render/technique.h"
 
 namespace ombrage {
 
 /// Visibility of one light, ready for lighting.
 struct LitLight {
     LightFrame light;
-    TargetPool::Target visibility;   ///< none: 1 everywhere
+    TargetPool::Target visibility;   ///< none: 1 everywhere, unless there is a lookup
+    ShadowLookupTechnique* technique = nullptr;  ///< whose lookup it is
+    std::optional<ShadowLookup> lookup = {};
 };
 
 /// Lights the G-buffer, once, after every technique: the one place where visibility, occlusion, indirect light and

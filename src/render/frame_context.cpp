@@ -24,6 +24,16 @@ FrameContext::Pass::~Pass() {
     if (m_frame.recorder->timesPasses) m_frame.recorder->timer->end();
 }
 
+FrameContext::LightScope::LightScope(FrameContext& frame, const LightFrame& light, bool first) : m_frame(frame) {
+    frame.recorder->lightType = light.light->type;
+    frame.recorder->suffix = first ? "" : "@" + light.light->name;
+}
+
+FrameContext::LightScope::~LightScope() {
+    m_frame.recorder->lightType.reset();
+    m_frame.recorder->suffix.clear();
+}
+
 void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
     assert(!recorder->passes.empty());
     recorder->passes.back().draws += draws;
@@ -46,7 +56,8 @@ void FrameContext::warn(const std::string& message) {
 }
 
 const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::ShaderStage> stages,
-                                         std::vector<std::pair<std::string, std::string>> defines) {
+                                         std::vector<std::pair<std::string, std::string>> defines,
+                                         std::vector<std::pair<std::string, std::string>> virtuals) {
     const ParamTable& table = technique.table();
     const auto own = table.glslDefines(technique.params());
     defines.insert(defines.end(), own.begin(), own.end());
@@ -65,15 +76,16 @@ const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::S
         }
         block.buffer.bindUniform(kParamsBinding);
     }
-    const gl::Program& made = shaders->program(
-        {std::move(stages), std::move(defines), {{technique.entry().id() + "/params", table.glslBlock(kParamsBinding)}}});
+    virtuals.emplace_back(technique.entry().id() + "/params", table.glslBlock(kParamsBinding));
+    const gl::Program& made = shaders->program({std::move(stages), std::move(defines), std::move(virtuals)});
     made.use();
     return made;
 }
 
 const gl::Program& FrameContext::program(std::vector<gl::ShaderStage> stages,
-                                         std::vector<std::pair<std::string, std::string>> defines) {
-    const gl::Program& made = shaders->program({std::move(stages), std::move(defines), {}});
+                                         std::vector<std::pair<std::string, std::string>> defines,
+                                         std::vector<std::pair<std::string, std::string>> virtuals) {
+    const gl::Program& made = shaders->program({std::move(stages), std::move(defines), std::move(virtuals)});
     made.use();
     return made;
 }

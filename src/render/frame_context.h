@@ -90,6 +90,19 @@ public:
     };
     Pass pass(const std::string& name) { return Pass(*this, name); }
 
+    /// While it lives, a light's shadow is made: programs of techniques are compiled for its type (LIGHT_TYPE), and what
+    /// they expose is called NAME@LIGHT but for the first light.
+    class LightScope {
+    public:
+        LightScope(FrameContext& frame, const LightFrame& light, bool first);
+        ~LightScope();
+        LightScope(const LightScope&) = delete;
+        LightScope& operator=(const LightScope&) = delete;
+
+    private:
+        FrameContext& m_frame;
+    };
+
     /// Counts draws and triangles into the open pass.
     void countDraw(std::uint64_t draws, std::uint64_t triangles);
 
@@ -105,9 +118,12 @@ public:
     /// The program of a technique, in use: its virtual include "FAMILY/NAME/params" and its defines are added from its
     /// parameters, and its uniform block is uploaded and bound at kParamsBinding.
     const gl::Program& program(Technique& technique, std::vector<gl::ShaderStage> stages,
-                               std::vector<std::pair<std::string, std::string>> defines = {});
+                               std::vector<std::pair<std::string, std::string>> defines = {},
+                               std::vector<std::pair<std::string, std::string>> virtuals = {});
     /// A program that has no technique's parameters, in use.
-    const gl::Program& program(std::vector<gl::ShaderStage> stages, std::vector<std::pair<std::string, std::string>> defines = {});
+    const gl::Program& program(std::vector<gl::ShaderStage> stages,
+                               std::vector<std::pair<std::string, std::string>> defines = {},
+                               std::vector<std::pair<std::string, std::string>> virtuals = {});
 
     /// A full-screen pass: "ombrage/fullscreen.vert" and the given fragment stage, in use.
     const gl::Program& fullscreenProgram(Technique& technique, const std::string& fragmentPath,

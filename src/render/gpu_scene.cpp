@@ -10,6 +10,7 @@
 #include <glm/gtc/packing.hpp>
 
 #include "core/trace.h"
+#include "render/faceted_mesh.h"
 #include "render/frame_context.h"
 #include "scene/solidity.h"
 
@@ -30,19 +31,24 @@ struct MaterialData {
     glm::uvec4 textures;
 };
 
-/// Vertex stream beside the positions.
-struct VertexAttributes {
-    glm::vec3 normal;
+/// A vertex of a FacetedMesh.
+struct SurfaceVertex {
+    glm::vec3 position, normal;
     glm::vec4 tangent;
     glm::vec2 uv;
+    glm::vec3 facetNormal;   ///< of the triangle that it ends, unit, local
+    std::uint32_t triangle;  ///< likewise, counted within the mesh
 };
 
 constexpr GLuint kTriangleStorage = 2, kExclusionStorage = 7;
 
-glm::vec2 octahedralFromUnit(glm::vec3 n) {
-    n /= std::abs(n.x) + std::abs(n.y) + std::abs(n.z);
-    if (n.z >= 0.0f) return glm::vec2(n.x, n.y);
-    return (1.0f - glm::vec2(std::abs(n.y), std::abs(n.x))) * glm::vec2(n.x >= 0 ? 1 : -1, n.y >= 0 ? 1 : -1);
+/// The triangle's own normal by the order of its corners, in double so that slivers keep theirs.
+glm::vec3 facetNormal(const Mesh& mesh, std::size_t triangle) {
+    glm::dvec3 corner[3];
+    for (std::size_t k = 0; k < 3; ++k) corner[k] = glm::dvec3(mesh.positions[mesh.indices[3 * triangle + k]]);
+    const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+    const double length = glm::length(n);
+    return length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
 }
 
 /// As in ombrage/surface.glsl.
@@ -75,7 +81,7 @@ GpuScene::GpuScene(const Scene& scene) : m_scene(&scene), m_flat(traced(scene)),
     {
         const TraceScope trace("upload geometry");
         uploadMeshes();
-        uploadTriangles();
+        uploadSurfaces();
         uploadInstances();
     }
     {
@@ -106,51 +112,45 @@ GpuScene::~GpuScene() = default;
 
 void GpuScene::uploadMeshes() {
     std::vector<glm::vec3> positions;
-    std::vector<VertexAttributes> attributes;
     std::vector<std::uint32_t> indices;
-    const bool colored = std::any_of(m_scene->meshes.begin(), m_scene->meshes.end(),
-                                     [](const Mesh& mesh) { return !mesh.colors.empty(); });
-    std::vector<std::uint64_t> colors;
     for (const Mesh& mesh : m_scene->meshes) {
         const auto firstVertex = std::uint32_t(positions.size());
         m_meshFirstVertex.push_back(firstVertex);
         m_meshFirstIndex.push_back(std::uint32_t(indices.size()));
         positions.insert(positions.end(), mesh.positions.begin(), mesh.positions.end());
-        for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-            attributes.push_back({mesh.normals[v], mesh.tangents[v], mesh.uvs[v]});
-        for (std::size_t v = 0; colored && v < mesh.positions.size(); ++v)
-            colors.push_back(
-                glm::packHalf4x16(glm::vec4(mesh.colors.empty() ? glm::vec3(1.0f) : mesh.colors[v], 1.0f)));
         for (std::uint32_t index : mesh.indices) indices.push_back(firstVertex + index);
     }
     std::vector<char> solid(m_scene->meshes.size());
     tbb::parallel_for(std::size_t(0), solid.size(), [&](std::size_t i) { solid[i] = isSolid(m_scene->meshes[i]); });
     m_meshIsSolid.assign(solid.begin(), solid.end());
     m_positions = gl::Buffer::from(positions, "scene positions");
-    m_attributes = gl::Buffer::from(attributes, "scene attributes");
     m_indices = gl::Buffer::from(indices, "scene indices");
-    if (colored) m_colors = gl::Buffer::from(colors, "scene colours");
 }
 
-void GpuScene::uploadTriangles() {
-    std::vector<glm::uvec2> triangles;
-    triangles.reserve(m_flat.triangles.size());
-    for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
-        const Mesh& mesh = m_scene->meshes[std::size_t(m_flat.instances[i].mesh)];
-        const glm::dmat3 linear(m_scene->instances[i].worldFromLocal);
-        for (std::size_t t = 0; t < mesh.triangleCount(); ++t) {
-            // The triangle's own normal, in double so that slivers keep theirs; in the order in which the corners are
-            // drawn.
-            glm::dvec3 corner[3];
-            for (std::size_t k = 0; k < 3; ++k)
-                corner[k] = linear * glm::dvec3(mesh.positions[mesh.indices[3 * t + k]]);
-            const glm::dvec3 n = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
-            const double length = glm::length(n);
-            const glm::vec3 unit = length > 0 ? glm::vec3(n / length) : glm::vec3(0, 1, 0);
-            triangles.emplace_back(glm::packSnorm2x16(octahedralFromUnit(unit)), std::uint32_t(i));
+void GpuScene::uploadSurfaces() {
+    std::vector<SurfaceVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    const bool colored = std::any_of(m_scene->meshes.begin(), m_scene->meshes.end(),
+                                     [](const Mesh& mesh) { return !mesh.colors.empty(); });
+    std::vector<std::uint64_t> colors;
+    for (const Mesh& mesh : m_scene->meshes) {
+        const auto firstVertex = std::uint32_t(vertices.size());
+        const FacetedMesh faceted = facet(mesh);
+        for (std::size_t v = 0; v < faceted.source.size(); ++v) {
+            const std::uint32_t source = faceted.source[v], triangle = faceted.triangle[v];
+            const bool ends = triangle != FacetedMesh::kNoTriangle;
+            vertices.push_back({mesh.positions[source], mesh.normals[source], mesh.tangents[source], mesh.uvs[source],
+                                ends ? facetNormal(mesh, triangle) : glm::vec3(0.0f), ends ? triangle : 0u});
+            if (colored)
+                colors.push_back(
+                    glm::packHalf4x16(glm::vec4(mesh.colors.empty() ? glm::vec3(1.0f) : mesh.colors[source], 1.0f)));
         }
+        for (std::uint32_t index : faceted.indices) indices.push_back(firstVertex + index);
     }
-    m_triangles = gl::Buffer::from(triangles, "scene triangles");
+    m_surfaceVertices = gl::Buffer::from(vertices, "scene surfaces");
+    m_surfaceIndices = gl::Buffer::from(indices, "scene surface indices");
+    if (colored) m_colors = gl::Buffer::from(colors, "scene colours");
+    m_triangles = gl::Buffer::from(m_flat.triangleInstance, "scene triangles");
 }
 
 void GpuScene::uploadInstances() {
@@ -180,17 +180,19 @@ void GpuScene::uploadInstances() {
 
     m_positionArray =
         vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
-    std::vector<gl::VertexBinding> bindings{{0, m_positions.id(), 0, sizeof(glm::vec3), 0},
-                                            {1, m_attributes.id(), 0, sizeof(VertexAttributes), 0}};
-    std::vector<gl::VertexAttribute> full{{0, 3, GL_FLOAT, 0, 0},
-                                          {1, 3, GL_FLOAT, GLuint(offsetof(VertexAttributes, normal)), 1},
-                                          {2, 4, GL_FLOAT, GLuint(offsetof(VertexAttributes, tangent)), 1},
-                                          {3, 2, GL_FLOAT, GLuint(offsetof(VertexAttributes, uv)), 1}};
+    std::vector<gl::VertexBinding> bindings{{0, m_surfaceVertices.id(), 0, sizeof(SurfaceVertex), 0}};
+    std::vector<gl::VertexAttribute> full{
+        {0, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, position)), 0},
+        {1, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, normal)), 0},
+        {2, 4, GL_FLOAT, GLuint(offsetof(SurfaceVertex, tangent)), 0},
+        {3, 2, GL_FLOAT, GLuint(offsetof(SurfaceVertex, uv)), 0},
+        {12, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, facetNormal)), 0},
+        {13, 1, GL_UNSIGNED_INT, GLuint(offsetof(SurfaceVertex, triangle)), 0}};
     if (hasVertexColors()) {
         bindings.push_back({3, m_colors.id(), 0, sizeof(std::uint64_t), 0});
         full.push_back({11, 4, GL_HALF_FLOAT, 0, 3});
     }
-    m_fullArray = vertexArray(std::move(bindings), std::move(full), m_indices);
+    m_fullArray = vertexArray(std::move(bindings), std::move(full), m_surfaceIndices);
 }
 
 gl::VertexArray GpuScene::vertexArray(std::vector<gl::VertexBinding> bindings,
@@ -243,7 +245,8 @@ const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
     const std::vector<int> noModels;
     const auto& excluded =
         filter.excludedByLight >= 0 ? m_scene->lights[std::size_t(filter.excludedByLight)].excludedModels : noModels;
-    std::map<std::pair<std::array<int, 5>, bool>, std::vector<gl::DrawElementsIndirect>> groups;
+    // Solids come first: what is open is mostly ground and walls, behind them for most eyes.
+    std::map<std::pair<bool, std::array<int, 5>>, std::vector<gl::DrawElementsIndirect>> groups;
     for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
         const FlatInstance& instance = m_flat.instances[i];
         const Material& material = m_scene->materials[std::size_t(instance.material)];
@@ -256,15 +259,15 @@ const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
         if (filter.alpha == DrawFilter::Alpha::MaskedOnly) key[0] = material.baseColorTexture;
         if (!filter.castersOnly) key = textureSet(material);
         const bool solid = !masked && !instance.mirrored && m_meshIsSolid[std::size_t(instance.mesh)];
-        groups[{key, solid}].push_back(
+        groups[{!solid, key}].push_back(
             {instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
     }
 
     std::vector<DrawBatch> made;
     for (const auto& [key, commands] : groups) {
         DrawBatch batch;
-        batch.textures = key.first;
-        batch.solid = key.second;
+        batch.textures = key.second;
+        batch.solid = !key.first;
         batch.commands = gl::Buffer::from(commands, "draw commands");
         batch.commandCount = commands.size();
         for (const auto& command : commands) {
@@ -304,8 +307,10 @@ DrawCounts GpuScene::draw(const DrawBatch& batch, bool positionsOnly) {
 }
 
 std::uint64_t GpuScene::gpuBytes() const {
-    std::uint64_t bytes = m_positions.size() + m_attributes.size() + m_indices.size() + m_instances.size() +
-                          m_materials.size() + m_triangles.size() + m_colors.size();
+    std::uint64_t bytes = 0;
+    for (const gl::Buffer* buffer : {&m_positions, &m_indices, &m_surfaceVertices, &m_surfaceIndices, &m_colors,
+                                     &m_instances, &m_materials, &m_triangles, &m_exclusions})
+        bytes += buffer->size();
     for (const gl::Texture& texture : m_textures) bytes += gl::byteSize(texture.desc());
     return bytes;
 }

@@ -40,8 +40,9 @@ struct DrawCounts {
     std::uint64_t draws = 0, triangles = 0;
 };
 
-/// The scene on the GPU: one vertex buffer in local coordinates, one index buffer, one storage buffer of instances and
-/// one of materials. Vertex shaders get the position through ombrage/vertex.glsl, the one invariant function.
+/// The scene on the GPU, in local coordinates: positions and indices for depth alone, vertices with all attributes and
+/// indices for surfaces, storage buffers of instances and materials. Vertex shaders get the position through
+/// ombrage/vertex.glsl, the one invariant function.
 class GpuScene {
 public:
     /// The scene must outlive this object.
@@ -118,15 +119,17 @@ private:
     glm::vec3 m_casterLower{0.0f}, m_casterUpper{0.0f};
     bool m_hasAlphaMask = false, m_hasSpecular = false, m_hasEmission = false, m_hasLightExceptions = false;
     void uploadMeshes();
-    void uploadTriangles();
+    void uploadSurfaces();
     void uploadInstances();
     void uploadMaterials();
 
     std::vector<std::uint32_t> m_meshFirstVertex, m_meshFirstIndex;
     std::vector<bool> m_meshIsSolid;
     std::vector<std::pair<glm::vec3, glm::vec3>> m_instanceBounds;
-    gl::Buffer m_positions, m_attributes, m_indices, m_instances, m_materials, m_triangles, m_exclusions;
-    gl::Buffer m_colors;  ///< half floats; empty when no mesh has any
+    gl::Buffer m_positions, m_indices;
+    gl::Buffer m_surfaceVertices, m_surfaceIndices;  ///< as FacetedMesh has them, in the same order of triangles
+    gl::Buffer m_colors;                             ///< half floats; empty when no mesh has any
+    gl::Buffer m_instances, m_materials, m_triangles, m_exclusions;
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     std::map<DrawFilter, std::vector<DrawBatch>> m_batches;

@@ -46,7 +46,8 @@ struct Renderer::Impl {
     Composer composer;
     TechniqueSlots slots;
     std::optional<Camera> previousCamera;
-    std::vector<glm::dmat4> placements;  ///< of the instances in gpuScene
+    std::vector<glm::dmat4> placements;        ///< of the instances in gpuScene
+    std::array<Pipeline, 4> earlierPipelines;  ///< of the last call: shadow, ao, indirect, aa
 
     Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options);
     ~Impl();
@@ -55,10 +56,13 @@ struct Renderer::Impl {
     void moveScene(const Scene& next);
     void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
-    TargetPool::Target renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
+    LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
     TargetPool::Target renderAo(FrameContext& frame, const Pipeline& pipeline);
     TargetPool::Target applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input);
-    void readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced);
+    /// Frees what only earlier calls used, so that what a call costs does not depend on them.
+    void forgetEarlierPipelines(const RenderSettings& settings, const RenderRequest& request);
+    void readBackImages(RenderResult& result, const FrameTargets& produced);
+    void readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced, bool images);
     RenderResult render(const RenderSettings& settings);
 };
 
@@ -67,6 +71,12 @@ namespace {
 /// Whether the pipeline changes nothing, so that no pass need run for it.
 bool isNeutral(const Pipeline& pipeline) {
     return pipeline.size() == 1 && pipeline[0].params.empty() && techniqueEntry(pipeline[0].id).traits.neutral;
+}
+
+/// Whether lighting may ask the shadow technique itself, as nobody wants its image.
+bool mayLookUp(const RenderSettings& settings) {
+    return !settings.images && settings.show.empty() && settings.composite == Composite::Lighting &&
+           settings.shadow.size() == 1 && techniqueEntry(settings.shadow[0].id).answersAnywhere;
 }
 
 /// What a pipeline that changes nothing leaves: visibility 1.
@@ -176,14 +186,20 @@ TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& f
     return output;
 }
 
-TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings,
-                                                const LightFrame& light) {
+LitLight Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light) {
     const auto given = settings.givenVisibility.find(light.index);
-    if (given == settings.givenVisibility.end() && isNeutral(settings.shadow)) return nullptr;
+    const bool isGiven = given != settings.givenVisibility.end();
+    if (!isGiven && isNeutral(settings.shadow)) return {light, nullptr};
+    if (!isGiven && mayLookUp(settings)) {
+        composer.bindLight(light, gpuScene->flat().instances.size());
+        const auto& techniques = slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame);
+        auto& technique = static_cast<ShadowLookupTechnique&>(*techniques.front());
+        return {light, nullptr, &technique, technique.lookup(frame, light)};
+    }
     auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
-    if (given != settings.givenVisibility.end()) {
+    if (isGiven) {
         uploadPlane(*visibility, given->second.plane(0));
-        return visibility;
+        return {light, visibility};
     }
     {
         const auto pass = frame.pass("clear visibility");
@@ -193,15 +209,13 @@ TargetPool::Target Renderer::Impl::renderShadow(FrameContext& frame, const Rende
         target.clearColor(0, glm::vec4(1.0f));
     }
     composer.bindLight(light, gpuScene->flat().instances.size());
-    recorder.lightType = light.light->type;
     for (const auto& technique : slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame)) {
         if (technique->entry().family == Family::Shadow)
             static_cast<ShadowTechnique&>(*technique).render(frame, light, *visibility);
         else
             visibility = applyFilter(frame, *technique, visibility);
     }
-    recorder.lightType.reset();
-    return visibility;
+    return {light, visibility};
 }
 
 TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline& pipeline) {
@@ -232,10 +246,9 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
         LightFrame light{index, &frame.scene->lights[std::size_t(index)]};
         light.position = glm::vec3(light.light->position - gpuScene->origin());
         light.direction = light.light->direction;
-        recorder.suffix = index == request.lights.front() ? "" : "@" + light.light->name;
-        lights.push_back({light, renderShadow(frame, settings, light)});
+        const FrameContext::LightScope scope(frame, light, index == request.lights.front());
+        lights.push_back(renderShadow(frame, settings, light));
         produced.visibility[index] = lights.back().visibility;
-        recorder.suffix.clear();
     }
     produced.ao = renderAo(frame, settings.ao);
 
@@ -256,13 +269,19 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
     return produced;
 }
 
-void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced) {
-    const TraceScope trace("read back");
-    result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
+void Renderer::Impl::readBackImages(RenderResult& result, const FrameTargets& produced) {
     for (const auto& [index, texture] : produced.visibility)
         result.visibility[index] = texture ? readColor(*texture, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
     result.ao = produced.ao ? readColor(*produced.ao, {"visibility"}, ColorSpace::Data) : allOpen(*gbuffer);
     readIds(*gbuffer, gpuScene->flat(), result.instance, result.triangle);
+}
+
+void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, const FrameTargets& produced,
+                              bool images) {
+    const TraceScope trace("read back");
+    result.picture = readColor(*produced.color, {"R", "G", "B"}, ColorSpace::Linear);
+    if (!images) return;
+    readBackImages(result, produced);
 
     auto& shown = recorder.shown;
     const auto offer = [&](const std::string& name, auto&& make) {
@@ -292,6 +311,24 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
     }
 }
 
+void Renderer::Impl::forgetEarlierPipelines(const RenderSettings& settings, const RenderRequest& request) {
+    // A pipeline that runs no pass never asks for its place: what an earlier call left there would stay, and be counted.
+    std::vector<std::string> inUse;
+    for (const std::string& place : request.places) {
+        const Pipeline& pipeline = place == "ao"         ? settings.ao
+                                   : place == "indirect" ? settings.indirect
+                                   : place == "aa"       ? settings.aa
+                                                         : settings.shadow;
+        if (!isNeutral(pipeline)) inUse.push_back(place);
+    }
+    slots.keepOnly(inUse);
+    const std::array<Pipeline, 4> pipelines{settings.shadow, settings.ao, settings.indirect, settings.aa};
+    if (pipelines != earlierPipelines) targets.trim();
+    earlierPipelines = pipelines;
+    // A visibility that is given takes the place of a pipeline's.
+    if (!settings.givenVisibility.empty()) earlierPipelines = {};
+}
+
 RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     if (!scene) throw Error(ErrorCode::Usage, "nothing to render", "call setScene first");
     const RenderRequest request = checkRequest(*scene, settings);
@@ -315,13 +352,11 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     recorder.warnings = request.warnings;
     // Shaders of --shader-dir that changed; one that fails to compile keeps its old version and says so.
     for (const std::string& message : shaders->reload()) recorder.warnings.push_back(message);
-    recorder.suffix.clear();
-    recorder.lightType.reset();
     recorder.blocks.clear();
     recorder.shown.clear();
     recorder.wanted = std::set<std::string>(settings.show.begin(), settings.show.end());
     recorder.wantsAll = recorder.wanted.count("all") > 0;
-    slots.keepOnly(request.places);
+    forgetEarlierPipelines(settings, request);
 
     FrameContext frame;
     {
@@ -368,7 +403,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     }
     previousCamera = frame.scene->cameras[std::size_t(request.camera)];
 
-    readBack(result, frame, produced);
+    readBack(result, frame, produced, settings.images || !settings.show.empty());
     for (const std::string& name : order) {
         PassCost cost{name, statsOf(passTimes[name]), 0, 0, passTimes[name]};
         for (const auto& work : recorder.passes)
@@ -421,6 +456,7 @@ void Renderer::setScene(const Scene& scene) {
     m_impl->slots.clear();
     m_impl->upload(scene);
     m_impl->previousCamera.reset();
+    m_impl->earlierPipelines = {};
     m_impl->slots.invalidate();
 }
 

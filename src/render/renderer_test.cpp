@@ -64,6 +64,20 @@ TEST_F(RendererTest, WhatCameBeforeLeavesNoTrace) {
     expectSame(inRoom, render(room, small()));
 }
 
+TEST_F(RendererTest, BytesAreOfWhatIsRenderedNotOfWhatWasBefore) {
+    const Scene gap = loadScene("gap"), room = loadScene("room");
+    const std::uint64_t none = render(gap, small("none")).gpuBytes, map = again(small("map:resolution=64")).gpuBytes;
+    EXPECT_GT(map, none);
+    again(small("volume-zfail"));
+    EXPECT_EQ(again(small("none")).gpuBytes, none);
+    RenderSettings given = small("none");
+    given.givenVisibility[0] = Image::grey(given.width, given.height);
+    again(given);
+    EXPECT_EQ(again(small("none")).gpuBytes, none);
+    render(room, small("volume-zfail"));
+    EXPECT_EQ(render(gap, small("map:resolution=64")).gpuBytes, map);
+}
+
 TEST_F(RendererTest, MemoryDoesNotGrowOverAlternatingCalls) {
     const Scene scene = loadScene("gap");
     RenderSettings a = small(), b = small("map:resolution=128");
@@ -128,6 +142,44 @@ TEST_F(RendererTest, ResultsSayWhatWasDone) {
     EXPECT_GT(result.footprint.at(0).texel_m + result.footprint.at(0).texelPerMetre, 0);
     EXPECT_FALSE(renderer().device().renderer.empty());
     EXPECT_TRUE(renderer().device().clock == "timestamp" || renderer().device().clock == "wall");
+}
+
+// Where nobody wants its image, lighting asks the map itself: a visibility of 0 or 1 loses nothing on its way through an
+// image, so that the pictures are equal bit by bit. `cornell`'s light has six views.
+TEST_F(RendererTest, ThePictureAloneIsTheSameWithoutAnImageOfVisibility) {
+    for (const char* name : {"gap", "cornell", "many-lights"}) {
+        SCOPED_TRACE(name);
+        const Scene scene = loadScene(name);
+        RenderSettings settings;
+        settings.width = 160;
+        settings.height = 90;
+        settings.shadow = parsePipeline(Family::Shadow, "map:resolution=256");
+        const RenderResult measured = render(scene, settings);
+        settings.images = false;
+        const RenderResult alone = again(settings);
+        EXPECT_EQ(alone.picture, measured.picture);
+        EXPECT_TRUE(alone.visibility.empty());
+        EXPECT_FALSE(alone.ao);
+        EXPECT_TRUE(alone.triangle.empty());
+        EXPECT_EQ(alone.passes.back().name, "lighting with shadow/map");
+        EXPECT_EQ(measured.passes.back().name, "lighting");
+
+        // A lookup that nothing comes of would pass as well: the picture has shadows.
+        settings.shadow = parsePipeline(Family::Shadow, "none");
+        EXPECT_NE(again(settings).picture, alone.picture);
+    }
+}
+
+TEST_F(RendererTest, WhatIsAskedForIsShownWithoutImagesToo) {
+    const Scene scene = loadScene("gap");
+    RenderSettings settings;
+    settings.width = 96;
+    settings.height = 54;
+    settings.shadow = parsePipeline(Family::Shadow, "map");
+    const RenderResult measured = render(scene, settings);
+    settings.images = false;
+    settings.show = {"visibility"};
+    EXPECT_EQ(again(settings).shownRaw.at("visibility"), measured.visibility.at(0));
 }
 
 TEST_F(RendererTest, NothingIsRenderedWithoutAScene) {

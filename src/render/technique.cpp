@@ -6,6 +6,8 @@
 
 #include <ombrage/error.h>
 
+#include "render/frame_context.h"
+
 namespace ombrage {
 
 namespace detail {
@@ -73,6 +75,23 @@ std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec) {
     technique->setEntry(entry);
     setParams(spec, technique->table(), technique->params());
     return technique;
+}
+
+std::vector<std::pair<std::string, std::string>> includeOf(const ShadowLookup& lookup) {
+    return {{kShadowLookupPath, "#include \"" + lookup.path + "\"\n"}};
+}
+
+void ShadowLookupTechnique::render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) {
+    const ShadowLookup at = lookup(frame, light);
+    const auto pass = frame.pass("visibility");
+    const gl::Framebuffer target({{&visibility}}, {&frame.gbuffer->depth}, entry().id().c_str());
+    target.bind();
+    const gl::Program& program = frame.program(
+        *this, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "ombrage/visibility.frag"}},
+        at.defines, includeOf(at));
+    at.bind(program);
+    frame.bindGBuffer();
+    frame.drawSurfaces();
 }
 
 const char* familyName(Family family) {

@@ -5,6 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include <ombrage/ao_integrand.h>
@@ -13,6 +15,7 @@
 
 #include "core/param_table.h"
 #include "gl/objects.h"
+#include "gl/shader_library.h"
 
 namespace ombrage {
 
@@ -66,6 +69,28 @@ public:
     virtual bool refinesInput() const { return false; }
 };
 
+/// How a technique answers at any point of the scene, in whatever shader asks.
+struct ShadowLookup {
+    /// GLSL that defines `float shadowVisibility(vec3 p_world, vec3 n_g)`, 1 = lit, of the bound light, for a point of a
+    /// surface with the unit normal n_g on the side seen.
+    std::string path;
+    std::vector<std::pair<std::string, std::string>> defines;
+    std::function<void(const gl::Program&)> bind;  ///< its textures, from kFirstFreeUnit on, and uniforms
+};
+
+/// A technique that answers at any point: where nobody wants its image, lighting asks it pixel by pixel.
+class ShadowLookupTechnique : public ShadowTechnique {
+public:
+    /// Draws what the lookup reads.
+    virtual ShadowLookup lookup(FrameContext& frame, const LightFrame& light) = 0;
+
+    void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) final;
+};
+
+/// The include through which shaders reach a lookup, and the virtual one that leads there.
+inline constexpr const char* kShadowLookupPath = "ombrage/shadow_lookup";
+std::vector<std::pair<std::string, std::string>> includeOf(const ShadowLookup& lookup);
+
 /// Visibility of the surroundings. `visibility` is R16F of the picture's size; write every pixel (sky: 1).
 class AoTechnique : public Technique {
 public:
@@ -114,6 +139,7 @@ struct NoParams {
 };
 
 template <typename P = NoParams> using ShadowTechniqueOf = WithParams<ShadowTechnique, P>;
+template <typename P = NoParams> using ShadowLookupTechniqueOf = WithParams<ShadowLookupTechnique, P>;
 template <typename P = NoParams> using AoTechniqueOf = WithParams<AoTechnique, P>;
 template <typename P = NoParams> using FilterTechniqueOf = WithParams<FilterTechnique, P>;
 template <typename P = NoParams> using IndirectTechniqueOf = WithParams<IndirectTechnique, P>;
@@ -159,6 +185,7 @@ struct TechniqueEntry {
     TechniqueTraits traits;
     const ParamTable& (*table)();
     std::function<std::unique_ptr<Technique>()> create;
+    bool answersAnywhere = false;  ///< a ShadowLookupTechnique
 };
 
 /// Makes the name of a folder from its identifier: volume_zfail -> volume-zfail.
@@ -186,7 +213,8 @@ std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec);
                                                      ::ombrage::techniqueNameFromIdentifier(#nameId),                 \
                                                      ::ombrage::TechniqueTraits __VA_ARGS__,                          \
                                                      &Class::staticTable,                                             \
-                                                     [] { return std::make_unique<Class>(); }};                       \
+                                                     [] { return std::make_unique<Class>(); },                        \
+                                                     std::is_base_of_v<::ombrage::ShadowLookupTechnique, Class>};     \
         return entry;                                                                                                 \
     }
 

@@ -24,6 +24,7 @@ constexpr double kInteriorShare = 0.2;
 constexpr int kRayCount = 64;
 constexpr int kInteriorRays =
     58;  ///< of 64: windows, doors and a roof light may let some out; an open front lets 10 out
+constexpr double kGroundGap = 1e-3;  // share of the diagonal
 constexpr float kSunIntensity_lx = 3.0f;
 constexpr double kTooBright_lx = 30.0;
 
@@ -150,8 +151,30 @@ Light defaultSun() {
     return light;
 }
 
+/// Whether a surface that can be seen from above, or one that is flat as a whole, lies in the plane y = lowest_m.
+bool liesOn(const Scene& scene, double lowest_m, double tolerance_m) {
+    for (const Instance& instance : scene.instances) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        std::vector<glm::dvec3> positions;
+        positions.reserve(mesh.positions.size());
+        for (const glm::vec3& p : mesh.positions) positions.emplace_back(instance.worldFromLocal * glm::dvec4(p, 1.0));
+        const auto isLow = [&](const glm::dvec3& p) { return p.y - lowest_m <= tolerance_m; };
+        if (!positions.empty() && std::all_of(positions.begin(), positions.end(), isLow)) return true;
+
+        const double side = glm::determinant(glm::dmat3(instance.worldFromLocal)) < 0.0 ? -1.0 : 1.0;
+        for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+            const glm::dvec3 &a = positions[mesh.indices[i]], &b = positions[mesh.indices[i + 1]],
+                             &c = positions[mesh.indices[i + 2]];
+            if (isLow(a) && isLow(b) && isLow(c) && side * glm::cross(b - a, c - a).y > 0.0) return true;
+        }
+    }
+    return false;
+}
+
 void addGround(Scene& scene) {
     const Bounds bounds = scene.bounds();
+    // Two surfaces in one plane would flicker through each other.
+    const double gap_m = liesOn(scene, bounds.lower.y, 1e-6 * bounds.diagonal()) ? kGroundGap * bounds.diagonal() : 0.0;
     const float size = float(4.0 * bounds.diagonal());
     Material material;
     material.name = "ground";
@@ -166,7 +189,7 @@ void addGround(Scene& scene) {
     Instance instance;
     instance.mesh = int(scene.meshes.size()) - 1;
     instance.model = int(scene.models.size()) - 1;
-    instance.worldFromLocal[3] = glm::dvec4(bounds.center().x, bounds.lower.y, bounds.center().z, 1.0);
+    instance.worldFromLocal[3] = glm::dvec4(bounds.center().x, bounds.lower.y - gap_m, bounds.center().z, 1.0);
     scene.instances.push_back(instance);
 }
 

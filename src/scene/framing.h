@@ -17,7 +17,8 @@ bool isInterior(const Scene& scene);
 /// The light "sun" for a scene without lights: size 0, direction (-1, -2, -0.7), 3 lx.
 Light defaultSun();
 
-/// Adds the model "ground": a level square 4 times as wide as the diagonal of the bounds, at their lower side.
+/// Adds the model "ground": a level square 4 times as wide as the diagonal of the bounds, at their lower side; a thousandth of the diagonal
+/// deeper when the scene has a floor of its own there.
 void addGround(Scene& scene);
 
 /// Scales lights that together are far brighter than the default sun (files in lux of daylight) down to it, all by one

@@ -224,6 +224,23 @@ TEST(Framing, GroundEyeAndTarget) {
     EXPECT_EQ(scene.aoRadius_m, plain.aoRadius_m);
 }
 
+TEST(Framing, TheGroundLiesBelowAFloorOfTheModel) {
+    const TestFolder folder;
+    SceneOptions options;
+    options.ground = true;
+    const auto depth = [&](const std::string& name, const std::string& faces) {
+        const std::string corners = "v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\n";
+        const std::string file = folder.write(name + ".obj", corners + faces);
+        return -loadScene(file, options).bounds().lower.y / loadScene(file).bounds().diagonal();
+    };
+    // In float steps of the transform nothing is lost: doubles to within their rounding.
+    EXPECT_NEAR(depth("flat-up", "f 4 3 2 1\n"), 1e-3, 1e-9);
+    EXPECT_NEAR(depth("flat-down", "f 1 2 3 4\n"), 1e-3, 1e-9);
+    EXPECT_NEAR(depth("floor-and-wall", "f 4 3 2 1\nf 1 2 6 5\n"), 1e-3, 1e-9);
+    EXPECT_EQ(depth("seen-from-below", "f 1 2 3 4\nf 1 2 6 5\n"), 0.0);
+    EXPECT_EQ(depth("wall", "f 1 2 6 5\n"), 0.0);
+}
+
 struct RealModel {
     const char* file;
     std::size_t triangleCount;  ///< of the manifest, without area ones in

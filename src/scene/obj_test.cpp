@@ -46,6 +46,16 @@ TEST(Obj, IndicesLineEndsAndContinuations) {
         }
 }
 
+TEST(Obj, AByteOrderMarkIsNoPartOfTheFirstLine) {
+    const TestFolder folder;
+    folder.write("m.mtl", "\xEF\xBB\xBFnewmtl red\nKd 1 0 0\n");
+    const Scene scene =
+        loadScene(folder.write("m.obj", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nmtllib m.mtl\nusemtl red\nf 1 2 3\n"));
+    EXPECT_EQ(scene.triangleCount(), 1u);
+    EXPECT_EQ(scene.materials[0].baseColor, glm::vec3(1, 0, 0));
+    EXPECT_TRUE(scene.warnings.empty());
+}
+
 TEST(Obj, ConcavePolygonsAreFilledOnce) {
     const TestFolder folder;
     const Scene scene =

@@ -100,6 +100,15 @@ protected:
         return records;
     }
 
+    /// Shows the records that differ, and no others.
+    static void expectSame(const std::vector<std::string>& found, const std::vector<std::string>& expected) {
+        std::vector<std::string> missing, extra;
+        std::set_difference(expected.begin(), expected.end(), found.begin(), found.end(), std::back_inserter(missing));
+        std::set_difference(found.begin(), found.end(), expected.begin(), expected.end(), std::back_inserter(extra));
+        for (const std::string& record : missing) ADD_FAILURE() << "missing: " << record;
+        for (const std::string& record : extra) ADD_FAILURE() << "not expected: " << record;
+    }
+
     /// The first id of the family beside its baseline.
     std::string idOf(const std::string& family) {
         const Json json = Json::parse(run({"list", "--family", family, "--json"}).out);
@@ -629,7 +638,7 @@ TEST_F(Cli, ComparisonKilledTenTimesEndsAsTheOneThatWasNot) {
     EXPECT_GE(killed, 5);
     const Result last = run(command("killed"));
     ASSERT_EQ(last.code, 0) << last.err;
-    EXPECT_EQ(untimed("killed"), expected);
+    expectSame(untimed("killed"), expected);
     EXPECT_EQ(content(m_folder / "killed/runs.jsonl").find("\"interrupted\":true"), std::string::npos);
 }
 
@@ -644,7 +653,7 @@ TEST_F(Cli, TwoComparisonsShareAFolder) {
     const Result first = finish(one), second = finish(two);
     EXPECT_EQ(first.code, 0) << first.err;
     EXPECT_EQ(second.code, 0) << second.err;
-    EXPECT_EQ(untimed("shared"), untimed("alone"));
+    expectSame(untimed("shared"), untimed("alone"));
 }
 
 TEST_F(Cli, ResultsThatCannotBeUsedSayWhy) {

@@ -21,6 +21,9 @@ in vec3 v_color;
 #endif
 in vec3 v_normal;
 flat in uvec4 v_surface;
+#ifdef MATERIAL_PLANE
+flat in uint v_material;
+#endif
 
 layout(location = 0) out uvec4 o_surface;
 #ifdef MATERIAL_PLANE
@@ -62,8 +65,7 @@ void main() {
     if (isHole(v_surface.w, v_uv)) discard;
 #endif
     // n_g of the triangle itself, turned to the side that the eye sees.
-    uint triangle = v_surface.z + uint(gl_PrimitiveID);
-    vec2 o_g = unpackSnorm2x16(b_triangles[triangle].x);
+    vec2 o_g = unpackSnorm2x16(v_surface.y);
     if (!gl_FrontFacing) o_g = octahedralOpposite(o_g);
 
     // The back has the reversed normal, as glTF 2 asks: what is a bump in front is a dent behind.
@@ -85,13 +87,13 @@ void main() {
 #endif
     albedo = packedAlbedo(base);
 #endif
-    o_surface = uvec4(packSnorm2x16(o_g), packSnorm2x16(octahedralFromVector(n_s)), albedo, triangle);
+    o_surface = uvec4(packSnorm2x16(o_g), packSnorm2x16(octahedralFromVector(n_s)), albedo, v_surface.z);
 
 #ifdef MATERIAL_PLANE
-    o_material = v_surface.y;
+    o_material = v_material;
 #ifdef METALLIC_ROUGHNESS_MAP
     vec4 texel = texture(t_metallicRoughness, v_uv);
-    o_material = packUnorm4x8(unpackUnorm4x8(v_surface.y) * vec4(texel.b, texel.g, 1.0, 1.0));
+    o_material = packUnorm4x8(unpackUnorm4x8(v_material) * vec4(texel.b, texel.g, 1.0, 1.0));
 #endif
 #endif
 }

@@ -26,5 +26,5 @@ struct MaterialData {
 layout(std430, binding = INSTANCE_STORAGE) readonly buffer Instances { InstanceData b_instances[]; };
 layout(std430, binding = MATERIAL_STORAGE) readonly buffer Materials { MaterialData b_materials[]; };
 
-// Per global triangle: x octahedral world normal (2 x 16 bits) of the counter-clockwise side, y instance.
-layout(std430, binding = TRIANGLE_STORAGE) readonly buffer Triangles { uvec2 b_triangles[]; };
+// The instance of each global triangle.
+layout(std430, binding = TRIANGLE_STORAGE) readonly buffer Triangles { uint b_triangles[]; };

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Composes one light (LIGHT_TYPE; none without it) over the surfaces; the sky stays as it is.
 // FIRST_LIGHT's pass adds what no light owns: EMISSION of some material, AMBIENT light, dimmed by OCCLUSION, and INDIRECT light.
-// VISIBILITY: the light is shadowed. EXCEPTIONS: some instances exclude a light or receive no shadow.
+// VISIBILITY: the light is shadowed by an image, LOOKUP: by what stands behind "ombrage/shadow_lookup". EXCEPTIONS: some instances exclude a light or receive no shadow.
 // MATERIAL_PLANE: the surfaces reflect more than diffusely, by SHADING: 0 Phong, 1 Blinn-Phong, 2 metallic-roughness.
 #include "ombrage/frame.glsl"
 #include "ombrage/gbuffer.glsl"
 #include "ombrage/instances.glsl"
 #include "ombrage/light.glsl"
+#include "ombrage/shadow_lookup"
 
+#ifdef VISIBILITY
 layout(binding = 5) uniform sampler2D t_visibility;
-layout(binding = 6) uniform sampler2D t_ao;
-layout(binding = 7) uniform sampler2D t_indirect;
+#endif
+layout(binding = 3) uniform sampler2D t_ao;
+layout(binding = 4) uniform sampler2D t_indirect;
 
 uniform float u_ambient;
 
@@ -38,7 +41,7 @@ void main() {
     vec3 albedo = unpackedAlbedo(surface.z);
     vec3 color = vec3(0.0);
 #if defined(EMISSION) || defined(EXCEPTIONS)
-    uint instance = b_triangles[surface.w].y;
+    uint instance = b_triangles[surface.w];
 #endif
 #ifdef EMISSION
     color += b_materials[b_instances[instance].material].emissive.rgb;
@@ -61,10 +64,17 @@ void main() {
     vec3 n_s = shadingNormalOf(surface);
     float nl = dot(n_s, l);
     // The geometric horizon shadows whatever the shading normal says, in the truth and here alike.
-    bool lit = nl > 0.0 && dot(vectorFromOctahedral(unpackSnorm2x16(surface.x)), l) > 0.0;
+#ifdef LOOKUP
+    vec3 n_g = geometricNormalOf(surface);
+#else
+    vec3 n_g = vectorFromOctahedral(unpackSnorm2x16(surface.x));   // of any length
+#endif
+    bool lit = nl > 0.0 && dot(n_g, l) > 0.0;
     float seen = 1.0;
-#ifdef VISIBILITY
+#if defined(VISIBILITY)
     seen = texelFetch(t_visibility, px, 0).r;
+#elif defined(LOOKUP)
+    seen = shadowVisibility(p_world, n_g);
 #endif
 #ifdef EXCEPTIONS
     if (lightExcludes(instance)) lit = false;

@@ -10,8 +10,8 @@ void drawLightDepth(FrameContext& frame, const LightFrame& light, const LightVie
     target.bind();
     gl::DrawState state;
     state.depthTest = state.depthWrite = true;
-    // Casters before the near side still cast.
-    state.depthClamp = true;
+    // Casters before a perspective view's near side still cast; the sun's begins before all geometry.
+    state.depthClamp = views.perspective;
     state.colorWrite = false;
     target.clearDepth(0.0f);
 

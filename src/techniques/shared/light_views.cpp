@@ -20,8 +20,44 @@ struct Box {
     bool empty() const { return !(lower.x <= upper.x); }
 };
 
-/// Whether the instance is flat and everything else lies on the side from which the light comes.
-bool castsOnNothing(const FlatScene& flat, const FlatInstance& instance, const glm::vec3& toLight) {
+/// Looks for flat instances with nothing behind them, seen from a sun. Its work is bounded, however many there are.
+class LowestPlanes {
+public:
+    LowestPlanes(const FlatScene& flat, const glm::vec3& toLight) : m_flat(flat), m_toLight(toLight) {
+        for (const glm::vec3& p : flat.positions) m_all.add(p);
+    }
+
+    /// Whether the instance is flat and everything else lies on the side from which the light comes. "No" for some
+    /// after many: they then count as casters, which costs resolution and nothing else.
+    bool holds(const FlatInstance& instance);
+
+private:
+    bool nothingBehind(const glm::vec3& point, const glm::vec3& normal, float tolerance);
+
+    const FlatScene& m_flat;
+    glm::vec3 m_toLight;
+    Box m_all;
+    std::size_t m_last = 0;   ///< the vertex that lay behind the plane before
+    int m_searchesLeft = 64;  ///< of all vertices
+};
+
+bool LowestPlanes::nothingBehind(const glm::vec3& point, const glm::vec3& normal, float tolerance) {
+    const auto behind = [&](const glm::vec3& p) { return glm::dot(p - point, normal) < -tolerance; };
+    // Two tests that need no search: the corner of the bounds that lies farthest behind, and who was found before.
+    const glm::vec3 deepest(normal.x > 0 ? m_all.lower.x : m_all.upper.x, normal.y > 0 ? m_all.lower.y : m_all.upper.y,
+                            normal.z > 0 ? m_all.lower.z : m_all.upper.z);
+    if (!behind(deepest)) return true;
+    if (behind(m_flat.positions[m_last]) || m_searchesLeft == 0) return false;
+
+    --m_searchesLeft;
+    const auto found = std::find_if(m_flat.positions.begin(), m_flat.positions.end(), behind);
+    if (found == m_flat.positions.end()) return true;
+    m_last = std::size_t(found - m_flat.positions.begin());
+    return false;
+}
+
+bool LowestPlanes::holds(const FlatInstance& instance) {
+    const FlatScene& flat = m_flat;
     // The plane of the first triangle with an area.
     glm::vec3 normal(0.0f), point(0.0f);
     for (std::uint32_t t = 0; t < instance.triangleCount && normal == glm::vec3(0.0f); ++t) {
@@ -31,7 +67,7 @@ bool castsOnNothing(const FlatScene& flat, const FlatInstance& instance, const g
     }
     if (normal == glm::vec3(0.0f)) return true;
     normal = glm::normalize(normal);
-    if (glm::dot(normal, toLight) < 0) normal = -normal;
+    if (glm::dot(normal, m_toLight) < 0) normal = -normal;
 
     // Flat to within rounding of the coordinates; others may touch the plane but not pass it.
     float extent = 0;
@@ -40,8 +76,7 @@ bool castsOnNothing(const FlatScene& flat, const FlatInstance& instance, const g
     const float tolerance = 1e-5f * extent;
     for (std::uint32_t v = 0; v < instance.vertexCount; ++v)
         if (std::abs(glm::dot(flat.positions[instance.firstVertex + v] - point, normal)) > tolerance) return false;
-    return std::all_of(flat.positions.begin(), flat.positions.end(),
-                       [&](const glm::vec3& p) { return glm::dot(p - point, normal) >= -tolerance; });
+    return nothingBehind(point, normal, tolerance);
 }
 
 /// The corners of what the camera sees of the scene's bounds: the frustum cut off at the farthest corner of the bounds.
@@ -76,9 +111,10 @@ LightView sunView(const FrameContext& frame, const LightFrame& light, LightFit f
 
     // Extent of the casters that matter, depth range of everything.
     const FlatScene& flat = frame.gpuScene->flat();
+    LowestPlanes lowest(flat, -light.direction);
     Box casters, all;
     for (const FlatInstance& instance : flat.instances) {
-        const bool matters = instance.casts && !castsOnNothing(flat, instance, -light.direction);
+        const bool matters = instance.casts && !lowest.holds(instance);
         for (std::uint32_t v = 0; v < instance.vertexCount; ++v) {
             const glm::vec3 p = toLightSpace(flat.positions[instance.firstVertex + v]);
             all.add(p);

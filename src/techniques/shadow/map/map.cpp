@@ -82,20 +82,23 @@ struct MapParams {
     }
 };
 
-class ShadowMap final : public ShadowTechniqueOf<MapParams> {
+class ShadowMap final : public ShadowLookupTechniqueOf<MapParams> {
 public:
     void prepare(FrameContext&) override {
         m_drawn.reset();
         m_views.reset();
     }
 
-    void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
+    ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         fitViews(frame, light);
         drawDepth(frame, light);
         if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
-        lookUp(frame, visibility);
         m_footprint = m_views->footprint(p().resolution);
         m_range = m_views->range(frame.gpuScene->origin());
+        return {"shadow/map/map.glsl", m_views->defines(), [this](const gl::Program& program) {
+                    m_views->setUniforms(program);
+                    m_map.bind(kFirstFreeUnit);
+                }};
     }
 
     TexelFootprint footprint() const override { return m_footprint; }
@@ -115,7 +118,7 @@ private:
     void drawDepth(FrameContext& frame, const LightFrame& light) {
         const LightViews& views = *m_views;
         if (p().cache && m_drawn && *m_drawn == views) return;
-        const gl::TextureDesc desc{.kind = gl::TextureKind::Array2D,
+        const gl::TextureDesc desc{.kind = views.views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
                                    .format = GL_DEPTH_COMPONENT32F,
                                    .width = p().resolution,
                                    .height = p().resolution,
@@ -131,17 +134,6 @@ private:
         if (p().cull == CullMode::Back) cull = GL_BACK;
         drawLightDepth(frame, light, views, m_map, cull);
         m_drawn = views;
-    }
-
-    void lookUp(FrameContext& frame, const gl::Texture& visibility) {
-        const auto pass = frame.pass("shadow map lookup");
-        const gl::Framebuffer target({{&visibility}}, {&frame.gbuffer->depth}, "shadow/map");
-        target.bind();
-        const gl::Program& program = frame.fullscreenProgram(*this, "shadow/map/map.frag", m_views->defines());
-        m_views->setUniforms(program);
-        frame.bindGBuffer();
-        m_map.bind(kFirstFreeUnit);
-        frame.drawSurfaces();
     }
 
     /// What a light's views depend on beside the scene.

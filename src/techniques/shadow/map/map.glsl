@@ -1,27 +1,21 @@
 // SPDX-License-Identifier: MIT
 // One comparison with the nearest texel of the light's map, after the chosen bias.
-#include "ombrage/frame.glsl"
-#include "ombrage/gbuffer.glsl"
 #include "ombrage/light.glsl"
 #include "shared/light_views.glsl"
 #include "shadow/map/params"
 
+#if LIGHT_VIEWS == 1
+layout(binding = 5) uniform sampler2DShadow t_map;
+#else
 layout(binding = 5) uniform sampler2DArrayShadow t_map;
+#endif
 
-in vec3 v_rayStart;
-in vec3 v_rayAlong;
-layout(location = 0) out float o_visibility;
-
-void main() {
-    // Nothing to do for faces turned away and beyond the light's range: lighting is 0 there anyway.
-    ivec2 px = ivec2(gl_FragCoord.xy);
-    float depth = gbufferDepth(px);
-    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, depth);
-    vec3 n_world = gbufferGeometricNormal(px);
+float shadowVisibility(vec3 p_world, vec3 n_world) {
     float lightDistance_m;
     vec3 l = directionToLight(p_world, lightDistance_m);
     float cosine = dot(n_world, l);
-    if (cosine <= 0.0 || irradianceFacing(l, lightDistance_m) == vec3(0.0)) discard;
+    // Nothing to do for faces turned away and beyond the light's range: lighting is 0 there anyway.
+    if (cosine <= 0.0 || irradianceFacing(l, lightDistance_m) == vec3(0.0)) return 1.0;
 
     int view = lightViewOf(p_world);
     float resolution = float(textureSize(t_map, 0).x);
@@ -65,6 +59,11 @@ void main() {
     compared_m -= params.constant_bias * texel_m + lightViewPrecision(view, distance_m);
 
     // Outside the map nothing casts.
-    if (any(lessThan(uv, vec2(0.0))) || any(greaterThanEqual(uv, vec2(1.0)))) discard;
-    o_visibility = texture(t_map, vec4(center, float(view), clamp(lightViewDepth(view, compared_m), 0.0, 1.0)));
+    if (any(lessThan(uv, vec2(0.0))) || any(greaterThanEqual(uv, vec2(1.0)))) return 1.0;
+    float reference = clamp(lightViewDepth(view, compared_m), 0.0, 1.0);
+#if LIGHT_VIEWS == 1
+    return texture(t_map, vec3(center, reference));
+#else
+    return texture(t_map, vec4(center, float(view), reference));
+#endif
 }
