@@ -22,6 +22,8 @@ int runCompare(const Options& options) {
         throw Error(ErrorCode::Usage, "no technique to compare",
                     "use --technique " + exampleId(Family::Shadow) + " or --all shadow");
     for (const std::string& gate : options.texts("fail-on")) request.failOn.push_back(parseGate(gate));
+    for (const std::string& list : options.texts("motion"))
+        for (Motion& motion : parseMotions(list)) request.motions.push_back(std::move(motion));
     request.outputDir = requiredText(options, "output", "folder for the results (-o DIR)");
     request.sceneOptions = sceneOptions(options);
     request.base = frameSettings(options);
@@ -62,6 +64,7 @@ Command compareCommand() {
             "Holds techniques against the ray-traced truth: records, pictures and a report",
             {"gap sphere --all shadow -o out",
              "gap --technique " + shadow + " --fail-on \"" + shadow + ".wrong>0.01\" -o out --json",
+             "gap --technique " + shadow + " --motion camera-walk,light-jump -o out",
              "cornell --technique " + ao + " --technique " + ao + "+" + filter + " -o out"},
             [](Options& options) {
                 options.add("scene", "built-in scenes, scene files (.json) or model files", Take::Many);
@@ -75,6 +78,10 @@ Command compareCommand() {
                 options.add("--truth",
                             "shadow, self or area for shadows; T1 to T5, T5-ball, own or area for ao (T1 and own "
                             "by default); area for aa");
+                options.add("--motion",
+                            "NAME[:CASTER][,NAME...]: measures flicker and lag under these scripts too ('ombrage list "
+                            "motions'); may be repeated",
+                            Take::Many);
                 options.add("--fail-on", "\"[ID.]METRIC>NUMBER\" (or >=, <, <=): exit 1 when it holds; may be repeated",
                             Take::Many);
                 addSceneOptions(options);

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <ombrage/error.h>
 #include <ombrage/metrics.h>
+#include <ombrage/motion.h>
 #include <ombrage/scene.h>
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -77,7 +78,7 @@ std::vector<std::string> lightNames(const Domain& domain) {
 Json techniqueJson(const TechniqueInfo& info) {
     Json json{{"id", info.id},         {"family", familyName(info.family)}, {"name", info.name},
               {"title", info.title},   {"summary", info.summary},           {"limits", info.limits},
-              {"papers", info.papers}, {"uses_seed", info.usesSeed}};
+              {"papers", info.papers}, {"screen_space", info.screenSpace},  {"uses_seed", info.usesSeed}};
     if (info.family == Family::Shadow)
         json["domain"] = {{"lights", lightNames(info.domain)},
                           {"soft", info.domain.soft},
@@ -142,6 +143,22 @@ int listMetrics(const Options& options) {
     return 0;
 }
 
+int listMotions(const Options& options) {
+    Json json{{"schema", "ombrage/motions/1"}, {"motions", Json::array()}};
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const MotionScript& script : motionScripts()) {
+        json["motions"].push_back({{"name", script.name},
+                                   {"description", script.description},
+                                   {"frames", script.frames},
+                                   {"jump_at", script.jumpAt > 0 ? Json(script.jumpAt) : Json(nullptr)},
+                                   {"percent", script.percent},
+                                   {"degrees", script.degrees}});
+        rows.emplace_back(script.name, script.description);
+    }
+    options.flag("json") ? print(json) : printResult(columns(rows));
+    return 0;
+}
+
 /// The technique of a full id or of a name that only one family has.
 const TechniqueInfo& techniqueByName(const std::string& name) {
     std::vector<std::string> ids, matches;
@@ -186,7 +203,7 @@ int listParams(const Options& options, const std::string& id) {
 
 int runList(const Options& options) {
     const std::string topic = options.text("topic", "techniques");
-    const std::vector<std::string> topics{"techniques", "scenes", "metrics", "params"};
+    const std::vector<std::string> topics{"techniques", "scenes", "metrics", "motions", "params"};
     if (std::find(topics.begin(), topics.end(), topic) == topics.end()) throw unknownName("list", topic, topics);
     if (topic != "params" && options.has("id"))
         throw Error(ErrorCode::Usage, "'" + options.text("id") + "' is one argument too many");
@@ -194,6 +211,7 @@ int runList(const Options& options) {
         throw Error(ErrorCode::Usage, "--family goes with the list of techniques only");
     if (topic == "scenes") return listScenes(options);
     if (topic == "metrics") return listMetrics(options);
+    if (topic == "motions") return listMotions(options);
     if (topic == "params")
         return listParams(options, requiredText(options, "id", "technique whose parameters to list"));
     return listTechniques(options);
@@ -203,10 +221,10 @@ int runList(const Options& options) {
 
 Command listCommand() {
     return {"list",
-            "Shows techniques, built-in scenes, metrics, or the parameters of a technique",
+            "Shows techniques, built-in scenes, metrics, motion scripts, or the parameters of a technique",
             {"", "techniques --family shadow", "scenes", "metrics --json", "params " + exampleId(Family::Shadow)},
             [](Options& options) {
-                options.add("topic", "techniques (default), scenes, metrics or params");
+                options.add("topic", "techniques (default), scenes, metrics, motions or params");
                 options.add("id", "the technique, for params");
                 options.add("--family", "shadow, ao, filter, indirect or aa");
                 options.add("--json", "one JSON document on standard output", Take::Flag);

@@ -14,8 +14,9 @@ std::string recordLines(const CompareResult& result) {
         const auto json = nlohmann::json::parse(record);
         std::string where = json["scene"].get<std::string>();
         if (json["light"].is_string()) where += " " + json["light"].get<std::string>();
+        if (json["motion"].is_string()) where += " " + json["motion"].get<std::string>();
         std::string values;
-        for (const char* key : {"rmse", "wrong", "gain_db"})
+        for (const char* key : {"rmse", "wrong", "gain_db", "flicker_mean", "flicker_p99", "flicker_patch", "lag"})
             if (json["metrics"].contains(key))
                 values += json["metrics"][key].is_null()
                               ? fmt::format("{} –  ", key)

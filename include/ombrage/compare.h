@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <ombrage/motion.h>
 #include <ombrage/renderer.h>
 #include <ombrage/scene.h>
 
@@ -40,6 +41,7 @@ struct CompareRequest {
     std::vector<Family> allOf;                   ///< every technique of these families that supports the light
     RenderSettings base;                         ///< size, camera, light, seed, shading ...
     int truthSamples = 0;                        ///< 0: the truth's own default
+    std::vector<Motion> motions;                 ///< each pipeline is measured under each of these too
     std::string truthKind;                       ///< "" by family; "shadow" or "T1"
     std::vector<Gate> failOn;
     std::filesystem::path outputDir;             ///< results.sqlite, pictures, records.jsonl, report.html

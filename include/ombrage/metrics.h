@@ -42,6 +42,7 @@ struct MetricInfo {
     std::string help;  ///< one sentence, the definition
     bool lowerIsBetter = true;
     bool ofPoints = false;  ///< asks about points: has no meaning against means over pixels (TruthKind::Area)
+    bool ofMotion = false;  ///< measured under a motion script, where nothing else is
 };
 
 /// Every metric that is measured, in the order of the report.
@@ -75,8 +76,8 @@ struct ShadowQuestion {
 };
 
 struct ShadowMeasurement {
-    Metrics metrics;                                          ///< every key of metricInfos() but flip and noise
-    std::vector<ErrorClass> classes;                          ///< per pixel
+    Metrics metrics;                  ///< every key of metricInfos() but flip, noise and those of motion
+    std::vector<ErrorClass> classes;  ///< per pixel
     std::array<std::size_t, kErrorClassCount> classCounts{};  ///< of the valid pixels; None: those that are not over
     std::size_t validCount = 0;
 };

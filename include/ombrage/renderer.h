@@ -39,6 +39,9 @@ struct RenderSettings {
     int width = 640, height = 360;
     std::string camera;                    ///< "" the first
     std::string light;                     ///< "" all lights
+    /// What techniques fit to (a map's extent, cascades) in the place of the camera from which the picture is drawn: how
+    /// their answers at the same surface points change while the viewer moves.
+    std::optional<Camera> fitCamera;
     Pipeline shadow{{"shadow/none", {}}};
     Pipeline ao{{"ao/none", {}}};
     Pipeline indirect{{"indirect/none", {}}};
@@ -51,6 +54,7 @@ struct RenderSettings {
     double time_s = 0;
     int frames = 1;                        ///< frames rendered; the last one is returned, times cover all but warmup
     int warmupFrames = 0;
+    int firstFrame = 0;                    ///< number of the first of them, for what changes from frame to frame
     Timing timing = Timing::Passes;
     std::uint64_t seed = 1;
     std::vector<std::string> show;         ///< pictures wanted beside the final one, by name; "all" for every one
@@ -116,6 +120,11 @@ public:
 
     /// Uploads the scene; it must stay alive until the next setScene.
     void setScene(const Scene& scene);
+
+    /// Goes on with the same scene whose cameras, lights and instances may stand elsewhere. Techniques keep what they made
+    /// of earlier frames, so far as it does not depend on what moved. The scene must stay alive until the next call; it
+    /// may be the one given before, changed in place. @throws Error(Usage) where anything else can be seen to differ.
+    void moveScene(const Scene& scene);
 
     /// @throws Error(Usage) for unknown names or a light that the technique does not support.
     RenderResult render(const RenderSettings& settings);

@@ -48,7 +48,8 @@ struct TechniqueInfo {
     std::vector<std::string> papers;
     std::string limits;  ///< one sentence: where it fails
     Domain domain;
-    bool usesSeed = false;  ///< its answer depends on RenderSettings::seed for some of its parameters or lights
+    bool screenSpace = false;  ///< its answer depends on where in the picture a surface lies
+    bool usesSeed = false;     ///< its answer depends on RenderSettings::seed for some of its parameters or lights
     std::vector<PassInfo> passes;
     std::vector<ParamInfo> params;
 };

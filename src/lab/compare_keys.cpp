@@ -2,9 +2,23 @@
 #include "lab/compare_keys.h"
 
 #include "core/hash.h"
+#include "core/strings.h"
 #include "lab/store.h"
 
 namespace ombrage {
+
+namespace {
+
+std::string textOf(const Camera& c) {
+    std::string text;
+    for (const double value :
+         {c.position.x, c.position.y, c.position.z, c.target.x, c.target.y, c.target.z, double(c.up.x), double(c.up.y),
+          double(c.up.z), double(c.fovY_rad), double(c.orthoHeight_m.value_or(0.0f))})
+        text += formatNumber(value) + " ";
+    return text;
+}
+
+}  // namespace
 
 CompareKeys::CompareKeys(const Scene& scene, const CompareRequest& request, const DeviceInfo& device,
                          const std::string& program)
@@ -30,6 +44,7 @@ ResultKey CompareKeys::common(const std::string& kind, int light) const {
     }
     key.add("given", given.hex());
     key.add("frames", base.frames).add("warmup_frames", base.warmupFrames).add("timing", int(base.timing));
+    key.add("first_frame", base.firstFrame).add("fit_camera", base.fitCamera ? textOf(*base.fitCamera) : "");
     key.add("spp", m_request.truthSamples);
     key.add("renderer", m_device.renderer).add("driver", m_device.version).add("vendor", m_device.vendor);
     return key.add("program", m_program);
@@ -39,7 +54,8 @@ ResultKey CompareKeys::record(const PlannedRun& planned, std::optional<TruthKind
     return common(kCompareKind, planned.light)
         .add("family", familyName(planned.family))
         .add("pipeline", toString(planned.pipeline))
-        .add("truth", kind ? truthKindName(*kind) : "");
+        .add("truth", kind ? truthKindName(*kind) : "")
+        .add("motion", planned.motion ? toString(*planned.motion) : "");
 }
 
 ResultKey CompareKeys::truth(int light, TruthKind kind, const std::string& claimed) const {

@@ -3,9 +3,11 @@
 
 #include <ombrage/error.h>
 #include <algorithm>
+#include <limits>
 
 #include "core/strings.h"
 #include "lab/domain.h"
+#include "lab/motion.h"
 
 namespace ombrage {
 
@@ -87,6 +89,51 @@ std::vector<TruthKind> truthsOf(const CompareRequest& request, Family family, co
     return {kind};
 }
 
+std::string motionMisfit(const Motion& motion, Family family, TruthKind kind) {
+    const std::string name = "the motion '" + motion.script.name + "'";
+    if (family != Family::Shadow && family != Family::Ao)
+        return name + " is measured for shadows and ambient occlusion alone";
+    if (family == Family::Ao && motion.movesLight()) return name + " changes nothing of ambient occlusion";
+    if (kind == TruthKind::Area || kind == TruthKind::Own)
+        return name + " has no truth of the kind '" + truthKindName(kind) + "'";
+    return {};
+}
+
+namespace {
+
+/// The plan's runs once more under each script, by light and script so that truths are shared.
+void addMotions(ScenePlan& plan, const Scene& scene, const std::vector<Motion>& motions) {
+    const std::vector<PlannedRun> still = plan.runs;
+    for (const Motion& motion : motions) {
+        // A scene without such a caster has nothing to measure; a wrong name is an error.
+        std::string noCaster;
+        if (motion.movesCaster() && motion.caster.empty()) try {
+                chosenCaster(scene, "");
+            } catch (const Error& error) {
+                noCaster = error.message();
+            }
+        else if (motion.movesCaster())
+            chosenCaster(scene, motion.caster);
+        for (const PlannedRun& run : still) {
+            const TruthKind kind = run.truths.empty() ? TruthKind::Area : run.truths.front();
+            std::string reason = motionMisfit(motion, run.family, kind);
+            if (reason.empty()) reason = noCaster;
+            if (!reason.empty())
+                plan.skipped.push_back({scene.name, techniqueText(run.pipeline), reason});
+            else
+                plan.runs.push_back({run.family, run.pipeline, run.light, {kind}, motion});
+        }
+    }
+    // A light at a time, its still pictures first; -1 comes last, as it did.
+    const auto place = [](const PlannedRun& run) {
+        return run.light < 0 ? std::numeric_limits<int>::max() : run.light;
+    };
+    std::stable_sort(plan.runs.begin(), plan.runs.end(),
+                     [&](const PlannedRun& a, const PlannedRun& b) { return place(a) < place(b); });
+}
+
+}  // namespace
+
 ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
     ScenePlan plan;
     const std::vector<int> lights = chosenLights(scene, request.base.light);
@@ -132,6 +179,7 @@ ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
     };
     for (int light : lights) addAll(light, true);
     addAll(-1, false);
+    addMotions(plan, scene, request.motions);
     // Several lights repeat a scene's warning.
     std::sort(plan.warnings.begin(), plan.warnings.end());
     plan.warnings.erase(std::unique(plan.warnings.begin(), plan.warnings.end()), plan.warnings.end());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@ struct PlannedRun {
     Pipeline pipeline;
     int light = -1;                      ///< index into Scene::lights; -1 for families that take all lights at once
     std::vector<TruthKind> truths = {};  ///< one record for each; none: one record without truth
+    std::optional<Motion> motion = {};   ///< plays a script in the place of one picture; has one truth
 };
 
 /// The runs of one scene and what was left out of them.
@@ -33,6 +35,10 @@ std::vector<std::pair<Family, Pipeline>> pipelinesOf(Family family);
 /// pipeline claims an integral, `own`. `reason` says why there is none where the kind does not fit.
 std::vector<TruthKind> truthsOf(const CompareRequest& request, Family family, const Pipeline& pipeline,
                                 std::string& reason);
+
+/// Why a pipeline cannot be measured under a script, or "": only shadows and ambient occlusion have an error at surface
+/// points, occlusion does not see lights, and means over pixels and claims are no truth of points.
+std::string motionMisfit(const Motion& motion, Family family, TruthKind kind);
 
 /// @throws Error(Usage) when a pipeline asked for by name does not support a chosen light or the truth asked for.
 ScenePlan planScene(const Scene& scene, const CompareRequest& request);

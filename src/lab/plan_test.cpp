@@ -29,6 +29,50 @@ std::size_t countOf(Family family) {
                                      [&](const TechniqueInfo& t) { return t.family == family; }));
 }
 
+std::size_t reasonsWith(const ScenePlan& plan, const std::string& part) {
+    return std::size_t(std::count_if(plan.skipped.begin(), plan.skipped.end(), [&](const SkippedPair& pair) {
+        return pair.reason.find(part) != std::string::npos;
+    }));
+}
+
+TEST(Plan, MotionsFollowTheStillPicturesOfALight) {
+    const Scene scene = twoLights();
+    CompareRequest request;
+    request.pipelines = {parseTechnique("shadow/map"), parseTechnique("shadow/none"), parseTechnique("ao/blocks")};
+    request.motions = parseMotions("camera-walk,light-jump");
+    const ScenePlan plan = planScene(scene, request);
+    // Two lights with two techniques, still and under two scripts each; occlusion still and for the camera alone.
+    std::vector<std::string> order;
+    for (const PlannedRun& run : plan.runs)
+        order.push_back(std::to_string(run.light) + (run.motion ? " " + toString(*run.motion) : ""));
+    EXPECT_EQ(order, (std::vector<std::string>{"0", "0", "0 camera-walk", "0 camera-walk", "0 light-jump",
+                                               "0 light-jump", "1", "1", "1 camera-walk", "1 camera-walk",
+                                               "1 light-jump", "1 light-jump", "-1", "-1 camera-walk"}));
+    EXPECT_EQ(reasonsWith(plan, "changes nothing of ambient occlusion"), 1u);
+    for (const PlannedRun& run : plan.runs)
+        if (run.motion) {
+            EXPECT_EQ(run.truths.size(), 1u);
+        }
+}
+
+TEST(Plan, SaysWhatHasNoMotion) {
+    CompareRequest request;
+    request.pipelines = {parseTechnique("aa/fxaa"), parseTechnique("shadow/map")};
+    request.motions = parseMotions("caster-move");
+    EXPECT_EQ(reasonsWith(planScene(loadScene("gap"), request), "shadows and ambient occlusion alone"), 1u);
+    request.pipelines = {parseTechnique("shadow/map")};
+    request.truthKind = "area";
+    EXPECT_EQ(reasonsWith(planScene(loadScene("gap"), request), "no truth of the kind 'area'"), 1u);
+    request.truthKind.clear();
+
+    // One mesh that is the whole scene has nothing to move before anything.
+    Scene alone = loadScene("gap");
+    alone.instances.resize(1);
+    EXPECT_EQ(reasonsWith(planScene(alone, request), "no caster that could move"), 1u);
+    request.motions = parseMotions("caster-move:bok");
+    EXPECT_THROW(planScene(loadScene("gap"), request), Error);
+}
+
 TEST(Plan, ShadowsRunOncePerLightAndOcclusionOnce) {
     const Scene scene = twoLights();
     const ScenePlan shadows = planScene(scene, requestAll(Family::Shadow));

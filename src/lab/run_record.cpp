@@ -74,6 +74,7 @@ std::string RunRecord::toJson() const {
     json["scene_hash"] = sceneHash;
     json["camera"] = camera;
     json["light"] = light.empty() ? Json(nullptr) : Json(light);
+    json["motion"] = motion.empty() ? Json(nullptr) : Json(motion);
     json["size"] = {width, height};
     json["family"] = family;
     json["technique"] = technique;
@@ -116,6 +117,8 @@ RunRecord RunRecord::fromJson(const std::string& text, const std::string& where)
         r.sceneHash = json.at("scene_hash").get<std::string>();
         r.camera = json.at("camera").get<std::string>();
         if (!json.at("light").is_null()) r.light = json.at("light").get<std::string>();
+        // Records of earlier versions are all of still pictures.
+        if (json.contains("motion") && !json.at("motion").is_null()) r.motion = json.at("motion").get<std::string>();
         r.width = json.at("size").at(0).get<int>();
         r.height = json.at("size").at(1).get<int>();
         r.technique = json.at("technique").get<std::string>();
@@ -173,9 +176,8 @@ RunNote RunNote::fromJson(const std::string& text, const std::string& where) {
 }
 
 std::string identityOf(const RunRecord& r) {
-    const Json identity{r.scene, r.sceneHash, r.camera,
-                        r.light, r.width,     r.height,
-                        r.seed,  r.pipeline,  r.truth ? r.truth->kind : std::string()};
+    const Json identity{r.scene, r.sceneHash, r.camera, r.light,    r.motion,
+                        r.width, r.height,    r.seed,   r.pipeline, r.truth ? r.truth->kind : std::string()};
     return dump(identity);
 }
 

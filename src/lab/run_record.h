@@ -41,7 +41,8 @@ struct RunRecord {
     };
 
     std::string scene, sceneHash, camera;
-    std::string light;  ///< "" (null on disk) where the family has none
+    std::string light;   ///< "" (null on disk) where the family has none
+    std::string motion;  ///< script that was played, as parseMotion takes it; "" (null on disk) for a still picture
     int width = 0, height = 0;
     std::string family;
     std::string technique;  ///< ids joined by '+'
@@ -71,7 +72,8 @@ struct RunRecord {
     static RunRecord fromJson(const std::string& text, const std::string& where);
 };
 
-/// What a report takes for the same run: scene, camera, light, size, seed, pipeline and truth. Of two the later counts.
+/// What a report takes for the same run: scene, camera, light, motion, size, seed, pipeline and truth. Of two the later
+/// counts.
 std::string identityOf(const RunRecord& record);
 
 /// What one call of compare() leaves beside its records: one note of the store and

@@ -30,13 +30,26 @@ TEST(RunRecord, ReadsBackWithoutLightAndTruth) {
     EXPECT_EQ(RunRecord::fromJson(record.toJson(), "test"), record);
 }
 
+TEST(RunRecord, TellsMotionsApart) {
+    RunRecord record = sampleRecord();
+    const std::string still = record.toJson(), identity = identityOf(record);
+    EXPECT_TRUE(nlohmann::json::parse(still)["motion"].is_null());
+    record.motion = "caster-jump:box";
+    EXPECT_EQ(RunRecord::fromJson(record.toJson(), "test"), record);
+    EXPECT_NE(identityOf(record), identity);
+    // Records from before there were motions.
+    auto old = nlohmann::ordered_json::parse(still);
+    old.erase("motion");
+    EXPECT_EQ(RunRecord::fromJson(old.dump(), "test"), sampleRecord());
+}
+
 // The keys are the contract of other programs (design section 8).
 TEST(RunRecord, HasTheKeysOfTheSchema) {
     const auto json = nlohmann::json::parse(sampleRecord().toJson());
     EXPECT_EQ(json["schema"], "ombrage/record/1");
-    for (const char* key :
-         {"scene", "scene_hash", "camera", "light", "size", "technique", "params", "metrics", "truth", "passes",
-          "gpu_ms", "cpu_ms", "gpu_bytes", "counters", "seed", "version", "device", "images", "warnings"})
+    for (const char* key : {"scene",    "scene_hash", "camera",  "light",  "motion", "size",    "technique",
+                            "params",   "metrics",    "truth",   "passes", "gpu_ms", "cpu_ms",  "gpu_bytes",
+                            "counters", "seed",       "version", "device", "images", "warnings"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["size"], nlohmann::json::array({640, 360}));
     EXPECT_EQ(json["params"]["resolution"], 2048);

@@ -276,6 +276,7 @@ RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings&
 }
 
 std::vector<RunRecord> SceneRunner::run(const PlannedRun& planned) {
+    if (planned.motion) return {runMotion(planned)};
     RenderSettings settings = settingsFor(planned.light);
     placeOf(planned.family, settings) = planned.pipeline;
     // The truth comes first, so that the message names what takes the time.

@@ -13,6 +13,7 @@
 
 #include "lab/compare_keys.h"
 #include "lab/domain.h"
+#include "lab/motion_stage.h"
 #include "lab/plan.h"
 #include "lab/run_record.h"
 
@@ -65,6 +66,8 @@ private:
     std::optional<double> measureNoise(const Measured& run, const std::vector<Mask>& mask,
                                        const std::function<std::span<const float>(const RenderResult&)>& planeOf);
     void measureAaRun(const Measured& run, RunRecord& record);
+    /// Plays the planned script.
+    RunRecord runMotion(const PlannedRun& planned);
     /// What the settings give in a picture kAreaGrid times as wide and high, averaged over each pixel, as displayed.
     Image supersampled(RenderSettings settings);
     RunRecord describe(const PlannedRun& planned, const RenderSettings& settings, const RenderResult& result) const;
@@ -92,6 +95,7 @@ private:
     std::optional<Receivers> m_receivers;
     std::optional<ShadowCase> m_shadow;
     std::vector<AoCase> m_ao;
+    std::unique_ptr<MotionStage> m_stage;
 };
 
 }  // namespace ombrage

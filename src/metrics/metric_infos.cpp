@@ -4,7 +4,7 @@
 namespace ombrage {
 
 const std::vector<MetricInfo>& metricInfos() {
-    constexpr bool kHigher = false, kLower = true, kOfPoints = true;
+    constexpr bool kHigher = false, kLower = true, kOfPoints = true, kOfMotion = true;
     static const std::vector<MetricInfo> infos = {
         {"mae", "", "Mean absolute error of the visibility over the valid pixels."},
         {"rmse", "", "Root of the mean square error of the visibility over the valid pixels."},
@@ -73,6 +73,21 @@ const std::vector<MetricInfo>& metricInfos() {
          "Root of the mean variance of the visibility among 8 seeds over the valid pixels; 0 for a technique that uses "
          "no random numbers."},
         {"flip", "", "Mean LDR-FLIP (Andersson et al. 2020) of the final sRGB picture at 67 pixels per degree."},
+        {"flicker_mean", "",
+         "Under a motion script: mean change of the error from frame to frame at the surface points that the first "
+         "frame sees.",
+         kLower, kOfPoints, kOfMotion},
+        {"flicker_p99", "", "99th percentile of the same change.", kLower, kOfPoints, kOfMotion},
+        {"flicker_patch", "px",
+         "Pixels of the largest patch, connected by edges or corners, whose error changes by more than the tolerance "
+         "(0.1 for hard lights, 0.05 else) from one frame to the next.",
+         kLower, kOfPoints, kOfMotion},
+        {"lag", "frames",
+         "After a light or caster jumped: frames until 99 of 100 of the points whose truth the jump changed stay "
+         "within "
+         "the tolerance of what the technique shows where the jump had always happened; 0: in the frame of the jump. "
+         "Null in scripts without a jump.",
+         kLower, kOfPoints, kOfMotion},
     };
     return infos;
 }

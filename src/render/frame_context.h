@@ -67,7 +67,8 @@ public:
     GpuScene* gpuScene = nullptr;
     GBuffer* gbuffer = nullptr;
     CameraView view;
-    CameraView previousView;
+    CameraView fitView;       ///< what techniques fit to what is seen; `view` unless RenderSettings::fitCamera is set
+    CameraView previousView;  ///< of the last call of Renderer::render; `view` at the first
     std::uint32_t seed = 1;
     std::uint32_t frameIndex = 0;
     NormalSource normals = NormalSource::Map;

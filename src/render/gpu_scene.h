@@ -64,6 +64,8 @@ public:
     DrawCounts draw(const DrawBatch& batch, bool positionsOnly);
 
     const Scene& scene() const { return *m_scene; }
+    /// The same scene with lights and cameras elsewhere; it must outlive this object.
+    void follow(const Scene& scene) { m_scene = &scene; }
     const FlatScene& flat() const { return m_flat; }
     glm::dvec3 origin() const { return m_flat.origin; }
     const Bounds& bounds() const { return m_bounds; }  ///< world

@@ -45,13 +45,15 @@ struct Renderer::Impl {
     GeometryPass geometry;
     Composer composer;
     TechniqueSlots slots;
-    CameraView previousView;
-    bool hasPreviousView = false;
+    std::optional<Camera> previousCamera;
+    std::vector<glm::dmat4> placements;        ///< of the instances in gpuScene
     std::array<Pipeline, 4> earlierPipelines;  ///< of the last call: shadow, ao, indirect, aa
 
     Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options);
     ~Impl();
 
+    void upload(const Scene& next);
+    void moveScene(const Scene& next);
     void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
@@ -82,6 +84,23 @@ Image allOpen(const GBuffer& gbuffer) {
     Image image = Image::grey(gbuffer.layout.width, gbuffer.layout.height, "visibility");
     std::fill(image.plane(0).begin(), image.plane(0).end(), 1.0f);
     return image;
+}
+
+std::vector<glm::dmat4> placementsOf(const Scene& scene) {
+    std::vector<glm::dmat4> placements;
+    for (const Instance& instance : scene.instances) placements.push_back(instance.worldFromLocal);
+    return placements;
+}
+
+/// Whether `b` can be `a` with its parts elsewhere. Their triangles are not looked at.
+bool hasSameParts(const Scene& a, const Scene& b) {
+    const auto counts = [](const Scene& s) {
+        return std::array{s.meshes.size(), s.materials.size(), s.textures.size(),
+                          s.models.size(), s.lights.size(),    s.cameras.size()};
+    };
+    return counts(a) == counts(b) &&
+           std::equal(a.instances.begin(), a.instances.end(), b.instances.begin(), b.instances.end(),
+                      [](const Instance& x, const Instance& y) { return x.mesh == y.mesh && x.model == y.model; });
 }
 
 /// @throws Error(Usage) for a shader directory without a single shader: a wrong path would silently change nothing.
@@ -115,6 +134,25 @@ Renderer::Impl::~Impl() {
     context->makeCurrent();
 }
 
+void Renderer::Impl::upload(const Scene& next) {
+    gpuScene = std::make_unique<GpuScene>(next);
+    placements = placementsOf(next);
+}
+
+void Renderer::Impl::moveScene(const Scene& next) {
+    if (!scene) throw Error(ErrorCode::Usage, "no scene to move", "call setScene first");
+    if (!hasSameParts(*scene, next))
+        throw Error(ErrorCode::Usage, "the scene '" + next.name + "' has other parts than the one to be moved",
+                    "call setScene for another scene");
+    scene = &next;
+    if (placements == placementsOf(next)) {
+        gpuScene->follow(next);
+        return;
+    }
+    upload(next);
+    slots.sceneMoved();
+}
+
 void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
     const GBufferLayout layout{settings.width, settings.height, request.needsStencil,
                                request.needsMaterial || gpuScene->hasSpecular()};
@@ -130,7 +168,11 @@ void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& set
     frame.gbuffer = gbuffer.get();
     frame.view = makeCameraView(frame.scene->cameras[std::size_t(request.camera)], settings.width, settings.height,
                                 gpuScene->origin(), gpuScene->bounds());
-    frame.previousView = hasPreviousView ? previousView : frame.view;
+    const auto viewOf = [&](const Camera& camera) {
+        return makeCameraView(camera, settings.width, settings.height, gpuScene->origin(), gpuScene->bounds());
+    };
+    frame.fitView = settings.fitCamera ? viewOf(*settings.fitCamera) : frame.view;
+    frame.previousView = previousCamera ? viewOf(*previousCamera) : frame.view;
     frame.normals = settings.normals;
     frame.shaders = shaders.get();
     frame.targets = &targets;
@@ -299,10 +341,10 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         const TraceScope trace("animate");
         moved = *scene;
         animate(moved, settings.time_s);
-        gpuScene = std::make_unique<GpuScene>(moved);
+        upload(moved);
         slots.invalidate();
     } else if (&gpuScene->scene() != scene) {
-        gpuScene = std::make_unique<GpuScene>(*scene);
+        upload(*scene);
         slots.invalidate();
     }
 
@@ -335,7 +377,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         recorder.capturing = i == frames - 1;
         recorder.passes.clear();
         recorder.counters.clear();
-        frame.frameIndex = std::uint32_t(i);
+        frame.frameIndex = std::uint32_t(settings.firstFrame + i);
         frame.seed = std::uint32_t(settings.seed);
         produced = {};
         const TraceScope trace(i < settings.warmupFrames ? "frame (warm-up)" : "frame");
@@ -359,8 +401,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
         totals.push_back(total);
         cpuTimes.push_back(cpu);
     }
-    previousView = frame.view;
-    hasPreviousView = true;
+    previousCamera = frame.scene->cameras[std::size_t(request.camera)];
 
     readBack(result, frame, produced, settings.images || !settings.show.empty());
     for (const std::string& name : order) {
@@ -414,10 +455,18 @@ void Renderer::setScene(const Scene& scene) {
     const TraceScope trace("set scene");
     m_impl->scene = &scene;
     m_impl->slots.clear();
-    m_impl->gpuScene = std::make_unique<GpuScene>(scene);
-    m_impl->hasPreviousView = false;
+    m_impl->upload(scene);
+    m_impl->previousCamera.reset();
     m_impl->earlierPipelines = {};
     m_impl->slots.invalidate();
+}
+
+void Renderer::moveScene(const Scene& scene) {
+    m_impl->context->makeCurrent();
+    std::optional<gl::StateGuard> guard;
+    if (m_impl->context->isAdopted()) guard.emplace();
+    const TraceScope trace("move scene");
+    m_impl->moveScene(scene);
 }
 
 RenderResult Renderer::render(const RenderSettings& settings) {

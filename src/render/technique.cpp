@@ -124,8 +124,10 @@ const std::vector<TechniqueInfo>& techniques() {
         std::vector<TechniqueInfo> made;
         for (const TechniqueEntry* entry : techniqueEntries()) {
             const TechniqueTraits& t = entry->traits;
-            TechniqueInfo info{entry->id(), entry->family, entry->name, t.title,  t.summary, t.papers,
-                               t.limits,    t.domain,      t.usesSeed,  t.passes, {}};
+            TechniqueInfo info{entry->id(), entry->family, entry->name,
+                               t.title,     t.summary,     t.papers,
+                               t.limits,    t.domain,      t.screenSpace || entry->family != Family::Shadow,
+                               t.usesSeed,  t.passes,      {}};
             for (const ParamField& field : entry->table().fields()) info.params.push_back(field.info);
             made.push_back(std::move(info));
         }

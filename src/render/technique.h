@@ -37,6 +37,11 @@ public:
     /// drop what depends on them.
     virtual void prepare(FrameContext&) {}
 
+    /// Called in its place when instances of the scene moved and nothing else changed (Renderer::moveScene): drop what
+    /// depends on where they were. The GpuScene and what is derived from it are new. A technique that gathers over frames
+    /// keeps its history by overriding this; of lights and cameras that moved nothing is told.
+    virtual void sceneMoved(FrameContext& frame) { prepare(frame); }
+
     /// The row that made this object; set by createTechnique().
     const TechniqueEntry& entry() const { return *m_entry; }
     void setEntry(const TechniqueEntry& entry) { m_entry = &entry; }
@@ -166,6 +171,8 @@ struct TechniqueTraits {
     std::vector<PassInfo> passes;      ///< every name that the technique exposes
     bool needsStencil = false;         ///< the G-buffer's depth must carry a stencil plane
     bool neutral = false;              ///< changes nothing (visibility 1, radiance 0, the input): rendering may leave it out
+    bool screenSpace = false;          ///< of a shadow: its answer depends on where in the picture a surface lies; that of
+                                       ///< every other family does
     bool usesSeed = false;             ///< its answer depends on RenderSettings::seed: `noise` is measured
     IntegrandMaker integrand = {};     ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
 };

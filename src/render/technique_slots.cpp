@@ -26,6 +26,14 @@ const std::vector<std::unique_ptr<Technique>>& TechniqueSlots::get(const std::st
             technique->prepare(frame);
         }
         slot.generation = m_generation;
+        slot.moves = m_moves;
+    }
+    if (slot.moves != m_moves) {
+        for (const auto& technique : slot.techniques) {
+            const TraceScope trace("follow the scene", technique->entry().id());
+            technique->sceneMoved(frame);
+        }
+        slot.moves = m_moves;
     }
     return slot.techniques;
 }

@@ -20,6 +20,9 @@ public:
     /// Everything must be prepared again: the size, the scene or the G-buffer changed.
     void invalidate() { ++m_generation; }
 
+    /// Instances moved: techniques are told so (Technique::sceneMoved) before they render again.
+    void sceneMoved() { ++m_moves; }
+
     /// Destroys every technique that is at no place of `places`.
     void keepOnly(const std::vector<std::string>& places);
 
@@ -31,10 +34,10 @@ private:
     struct Place {
         Pipeline pipeline;
         std::vector<std::unique_ptr<Technique>> techniques;
-        std::uint64_t generation = 0;
+        std::uint64_t generation = 0, moves = 0;
     };
     std::map<std::string, Place> m_places;
-    std::uint64_t m_generation = 1;
+    std::uint64_t m_generation = 1, m_moves = 0;
 };
 
 }  // namespace ombrage

@@ -93,7 +93,7 @@ std::string legend() {
 
 std::string measured(const RunRecord& r) {
     std::vector<std::string> parts;
-    for (const std::string& key : metricColumns(r.family))
+    for (const std::string& key : metricColumns(r))
         if (const auto found = r.metrics.find(key); found != r.metrics.end() && found->second)
             parts.push_back(key + " " + shortNumber(found->second));
     return join(parts, ", ");
@@ -130,6 +130,8 @@ std::string cards(const Previews& previews, const std::vector<const RunRecord*>&
                            "Ray-traced integral that " + r->pipeline + " claims on " + where);
         html += figure(previews, *r, "visibility", r->pipeline + ": visibility", "Visibility" + suffix);
         html += figure(previews, *r, "error", r->pipeline + ": error", "Error map" + suffix);
+        html +=
+            figure(previews, *r, "flicker", r->pipeline + ": largest change", "Largest change of the error" + suffix);
         html += figure(previews, *r, "classes", r->pipeline + ": error classes", "Classes of the errors" + suffix);
         html += figure(previews, *r, "picture", r->pipeline + ": picture", "Picture" + suffix);
     }
@@ -138,11 +140,13 @@ std::string cards(const Previews& previews, const std::vector<const RunRecord*>&
 
 std::string sections(const ReportData& data) {
     // Only runs that answer the same question stand in one table.
-    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, int, int, std::string>;
+    using Key =
+        std::tuple<std::string, std::string, std::string, std::string, std::string, std::string, int, int, std::string>;
     std::vector<std::pair<Key, std::vector<const RunRecord*>>> groups;
     for (const RunRecord& r : data.records) {
-        const Key key{r.scene, r.sceneHash, r.family, r.camera,
-                      r.light, r.width,     r.height, r.truth ? r.truth->kind : std::string()};
+        const Key key{r.scene,  r.sceneHash, r.family,
+                      r.camera, r.light,     r.motion,
+                      r.width,  r.height,    r.truth ? r.truth->kind : std::string()};
         auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == key; });
         if (group == groups.end()) group = groups.insert(groups.end(), {key, {}});
         group->second.push_back(&r);
@@ -152,6 +156,7 @@ std::string sections(const ReportData& data) {
         const RunRecord& r = *group.front();
         html += "<section class=\"measured\">\n<h2>" + escapeHtml(r.scene) + ": " + escapeHtml(r.family) +
                 (r.light.empty() ? "" : ", light " + escapeHtml(r.light)) +
+                (r.motion.empty() ? "" : ", under " + escapeHtml(r.motion)) +
                 (isOwn(r) ? ", against what each technique claims" : "") + "</h2>\n";
         std::string about = fmt::format("Camera {}, {}x{}, scene {}", r.camera, r.width, r.height, r.sceneHash);
         if (r.truth)

@@ -16,7 +16,8 @@ namespace {
 constexpr int kWidths[] = {640, 480, 320, 240, 160};
 
 /// What is dropped first when pictures do not fit at the smallest width.
-const std::vector<std::string> kDispensable = {"classes", "reference", "picture", "error", "visibility", "truth"};
+const std::vector<std::string> kDispensable = {"flicker", "classes",    "reference", "picture",
+                                               "error",   "visibility", "truth"};
 
 /// Mean over the source pixels that a smaller pixel covers, edges weighted by their share.
 Image shrink(const Image& source, int width) {

@@ -53,17 +53,19 @@ std::optional<double> bestOf(const std::vector<const RunRecord*>& group, const s
 
 }  // namespace
 
-const std::vector<std::string>& metricColumns(const std::string& family) {
+const std::vector<std::string>& metricColumns(const RunRecord& record) {
     static const std::vector<std::string> shadow{"wrong",       "wrong_domain", "rmse",     "bias", "over",  "alias",
                                                  "contact_gap", "acne",         "penumbra", "leak", "noise", "flip"};
     static const std::vector<std::string> ao{"rmse", "bias", "psnr", "gain_db", "ssim"};
+    static const std::vector<std::string> motion{"flicker_mean", "flicker_p99", "flicker_patch", "lag"};
     static const std::vector<std::string> nothing;
-    return family == "shadow" ? shadow : family == "ao" ? ao : nothing;
+    if (!record.motion.empty()) return motion;
+    return record.family == "shadow" ? shadow : record.family == "ao" ? ao : nothing;
 }
 
 std::string recordTable(const std::vector<const RunRecord*>& group) {
     const RunRecord& first = *group.front();
-    const std::vector<std::string>& columns = metricColumns(first.family);
+    const std::vector<std::string>& columns = metricColumns(first);
     const std::string clock = first.clock + (first.device.software ? ", software" : "");
     std::string html =
         "<div class=\"wide\"><table class=\"sortable\"><caption>Headings sort. The best value of a column is "

@@ -9,7 +9,7 @@
 namespace ombrage {
 
 /// Keys of the metrics that the tables of a family show; the details hold all of them.
-const std::vector<std::string>& metricColumns(const std::string& family);
+const std::vector<std::string>& metricColumns(const RunRecord& record);
 
 /// A sortable table with one row per record; the best value of every column is marked.
 std::string recordTable(const std::vector<const RunRecord*>& group);

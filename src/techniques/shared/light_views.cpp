@@ -81,7 +81,7 @@ bool LowestPlanes::holds(const FlatInstance& instance) {
 
 /// The corners of what the camera sees of the scene's bounds: the frustum cut off at the farthest corner of the bounds.
 std::array<glm::vec3, 8> visibleCorners(const FrameContext& frame) {
-    const CameraView& view = frame.view;
+    const CameraView& view = frame.fitView;
     const glm::vec3 lower(frame.gpuScene->bounds().lower - frame.gpuScene->origin());
     const glm::vec3 upper(frame.gpuScene->bounds().upper - frame.gpuScene->origin());
     float farthest = 0;
