@@ -88,7 +88,7 @@ TEST(Obj, VertexColors) {
 TEST(Obj, WhatIsPassedOverIsSaid) {
     const TestFolder folder;
     const Scene scene = loadScene(folder.write(
-        "w.obj", std::string(kTriangleObj) + "l 1 2\np 1\nf 1 2\nbleh 3\nusemtl gone\ns off\ng a b\no c\nf 1 2 3\n"));
+        "w.obj", std::string(kTriangleObj) + "l 1 2\np 1\nf 1 2\nbleh 3\nusemtl gone\ns off\ng a b\no c\nf 1 3 2\n"));
     EXPECT_TRUE(warns(scene, "2 points, lines and curves are left out, the first in w.obj:5"));
     EXPECT_TRUE(warns(scene, "1 faces of fewer than 3 corners are left out, the first in w.obj:7"));
     EXPECT_TRUE(warns(scene, "1 statements that no OBJ file has are left out, the first in w.obj:8: 'bleh'"));
