@@ -162,6 +162,35 @@ TEST(Obj, TexturesLieBesideTheirMaterialFile) {
         EXPECT_EQ(mesh.uvs[i], glm::vec2(mesh.positions[i].x * 2 + 0.5f, 1 - (mesh.positions[i].y * 3 + 0.25f)));
 }
 
+TEST(Obj, SaysWhatStandsInAFilesPlace) {
+    const TestFolder folder;
+    folder.write("mats/m.mtl", "newmtl a\nmap_Kd .\nnewmtl b\nmap_Kd gone.png\nnewmtl c\nmap_Kd /dev/null\n");
+    const Scene scene =
+        loadScene(folder.write("m.obj",
+                               "mtllib mats\nmtllib mats/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl a\n"
+                               "f 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 1 3 4\n"));
+    EXPECT_TRUE(warns(scene, "material file 'mats' is a folder"));
+    EXPECT_TRUE(warns(scene, "texture '.' is a folder"));
+    EXPECT_TRUE(warns(scene, "texture 'gone.png' is missing"));
+    EXPECT_TRUE(warns(scene, "texture '/dev/null' is no file but a pipe, a socket or a device"));
+}
+
+TEST(Obj, NumbersOutOfTheirRangeAreSaid) {
+    std::vector<std::string> warnings;
+    const MtlLibrary library =
+        parseMtl("newmtl a\nNs -5\nd 7\nnewmtl b\nNs 0\nd 1\nPr 1\nPm 0\nTr 0\nnewmtl c\nTr 1.5\nPr -1\nPm 2\n",
+                 "m.mtl", warnings);
+    EXPECT_EQ(library.at("a").shininess, 0.0f);
+    EXPECT_EQ(library.at("a").opacity, 1.0f);
+    EXPECT_EQ(library.at("c").opacity, 0.0f);
+    EXPECT_EQ(library.at("c").roughness, 0.0f);
+    EXPECT_EQ(library.at("c").metallic, 1.0f);
+    ASSERT_EQ(warnings.size(), 5u);
+    EXPECT_EQ(warnings[0], "m.mtl:2: 'ns' of -5 is out of its range; 0 is used");
+    EXPECT_EQ(warnings[1], "m.mtl:3: 'd' of 7 is out of its range; 1 is used");
+    EXPECT_EQ(warnings[2], "m.mtl:11: 'tr' of 1.5 is out of its range; 1 is used");
+}
+
 TEST(Obj, TwoTexturesOfOneNameInTwoFoldersStayApart) {
     const TestFolder folder;
     Image red = Image::rgb(1, 1, ColorSpace::Srgb);
