@@ -32,6 +32,9 @@ struct RendererOptions {
     /// Folder of programs compiled by earlier runs; empty: $OMBRAGE_CACHE, else the user's cache folder; "off": none.
     /// Not used where the driver hands none out.
     std::string cache = "";
+    /// GPU memory that shadow techniques may keep between frames, all lights together. The shadows of lights that do not
+    /// fit in are drawn anew in every frame, which costs time and changes no picture; a warning says so.
+    std::uint64_t keptShadowBytes = std::uint64_t(1) << 30;
 };
 
 /// What to render. Lists of techniques are pipelines: each element feeds the next.

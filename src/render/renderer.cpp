@@ -48,6 +48,15 @@ struct Renderer::Impl {
     std::optional<Camera> previousCamera;
     std::vector<glm::dmat4> placements;        ///< of the instances in gpuScene
     std::array<Pipeline, 4> earlierPipelines;  ///< of the last call: shadow, ao, indirect, aa
+    const std::uint64_t keptShadowBytes;
+
+    /// What the shadow techniques of the frame just rendered say of it, per light index.
+    struct Shadowed {
+        std::map<int, TexelFootprint> footprint;
+        std::map<int, ShadowRange> range;
+        std::uint64_t keptBytes = 0, largestBytes = 0;  ///< of all lights with techniques of their own, and of one
+        std::size_t sharing = 0;                        ///< lights that found no room
+    } shadowed;
 
     Impl(std::unique_ptr<gl::Context> made, const RendererOptions& options);
     ~Impl();
@@ -57,6 +66,8 @@ struct Renderer::Impl {
     void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
+    void noteShadow(const LightFrame& light, const ShadowTechnique& technique);
+    std::string shadowPlace(const LightFrame& light);
     TargetPool::Target renderAo(FrameContext& frame, const Pipeline& pipeline);
     TargetPool::Target applyFilter(FrameContext& frame, Technique& filter, const TargetPool::Target& input);
     /// Frees what only earlier calls used, so that what a call costs does not depend on them.
@@ -67,6 +78,9 @@ struct Renderer::Impl {
 };
 
 namespace {
+
+/// The place of the techniques of all lights that find no room for their own.
+constexpr const char* kSharedShadow = "shadow of the rest";
 
 /// Whether the pipeline changes nothing, so that no pass need run for it.
 bool isNeutral(const Pipeline& pipeline) {
@@ -123,7 +137,8 @@ Renderer::Impl::Impl(std::unique_ptr<gl::Context> made, const RendererOptions& o
     : context(std::move(made)),
       timer(std::make_unique<gl::GpuTimer>()),
       programs(std::make_unique<gl::ProgramCache>(options.cache)),
-      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir), programs.get())) {
+      shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir), programs.get())),
+      keptShadowBytes(options.keptShadowBytes) {
     device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(),
               gl::clockName(timer->clock())};
     recorder.timer = timer.get();
@@ -186,15 +201,46 @@ TargetPool::Target Renderer::Impl::applyFilter(FrameContext& frame, Technique& f
     return output;
 }
 
+void Renderer::Impl::noteShadow(const LightFrame& light, const ShadowTechnique& technique) {
+    if (technique.refinesInput()) return;
+    shadowed.footprint[light.index] = technique.footprint();
+    shadowed.range[light.index] = technique.range();
+}
+
+std::string Renderer::Impl::shadowPlace(const LightFrame& light) {
+    const std::string own = fmt::format("shadow {}", light.index);
+    if (slots.has(own) || shadowed.keptBytes + shadowed.largestBytes <= keptShadowBytes) return own;
+    // What finds no room shares one place, whose textures are used again rather than freed and made: allocators give
+    // large blocks back late or never.
+    ++shadowed.sharing;
+    slots.invalidate(kSharedShadow);
+    return kSharedShadow;
+}
+
 LitLight Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light) {
     const auto given = settings.givenVisibility.find(light.index);
     const bool isGiven = given != settings.givenVisibility.end();
-    if (!isGiven && isNeutral(settings.shadow)) return {light, nullptr};
-    if (!isGiven && mayLookUp(settings)) {
+    if (!isGiven && isNeutral(settings.shadow)) {
+        shadowed.footprint[light.index] = {};
+        shadowed.range[light.index] = {};
+        return {light, nullptr};
+    }
+    const std::string place = isGiven ? "" : shadowPlace(light);
+    const bool isOwn = place != kSharedShadow;
+    const auto countBytes = [&, before = slots.gpuBytes(place)] {
+        if (!isOwn) return;
+        const std::uint64_t after = slots.gpuBytes(place);
+        shadowed.keptBytes += after - before;
+        shadowed.largestBytes = std::max(shadowed.largestBytes, after);
+    };
+    // Lighting looks up later, when a shared place holds another light's.
+    if (!isGiven && isOwn && mayLookUp(settings)) {
         composer.bindLight(light, gpuScene->flat().instances.size());
-        const auto& techniques = slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame);
-        auto& technique = static_cast<ShadowLookupTechnique&>(*techniques.front());
-        return {light, nullptr, &technique, technique.lookup(frame, light)};
+        auto& technique = static_cast<ShadowLookupTechnique&>(*slots.get(place, settings.shadow, frame).front());
+        const ShadowLookup lookup = technique.lookup(frame, light);
+        noteShadow(light, technique);
+        countBytes();
+        return {light, nullptr, &technique, lookup};
     }
     auto visibility = targets.take({.format = GL_R16F, .width = frame.width, .height = frame.height}, "visibility");
     if (isGiven) {
@@ -209,12 +255,16 @@ LitLight Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings&
         target.clearColor(0, glm::vec4(1.0f));
     }
     composer.bindLight(light, gpuScene->flat().instances.size());
-    for (const auto& technique : slots.get(fmt::format("shadow {}", light.index), settings.shadow, frame)) {
-        if (technique->entry().family == Family::Shadow)
-            static_cast<ShadowTechnique&>(*technique).render(frame, light, *visibility);
-        else
+    for (const auto& technique : slots.get(place, settings.shadow, frame)) {
+        if (technique->entry().family == Family::Shadow) {
+            auto& shadow = static_cast<ShadowTechnique&>(*technique);
+            shadow.render(frame, light, *visibility);
+            noteShadow(light, shadow);
+        } else {
             visibility = applyFilter(frame, *technique, visibility);
+        }
     }
+    countBytes();
     return {light, visibility};
 }
 
@@ -241,6 +291,12 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
     geometry.uploadFrameBlock(frame);
     geometry.draw(frame);
 
+    shadowed = {};
+    for (const int index : request.lights) {
+        const std::uint64_t bytes = slots.gpuBytes(fmt::format("shadow {}", index));
+        shadowed.keptBytes += bytes;
+        shadowed.largestBytes = std::max(shadowed.largestBytes, bytes);
+    }
     std::vector<LitLight> lights;
     for (int index : request.lights) {
         LightFrame light{index, &frame.scene->lights[std::size_t(index)]};
@@ -312,7 +368,8 @@ void Renderer::Impl::readBack(RenderResult& result, const FrameContext& frame, c
 }
 
 void Renderer::Impl::forgetEarlierPipelines(const RenderSettings& settings, const RenderRequest& request) {
-    // A pipeline that runs no pass never asks for its place: what an earlier call left there would stay, and be counted.
+    // A pipeline that runs no pass never asks for its place: what an earlier call left there would stay, and be
+    // counted.
     std::vector<std::string> inUse;
     for (const std::string& place : request.places) {
         const Pipeline& pipeline = place == "ao"         ? settings.ao
@@ -321,7 +378,12 @@ void Renderer::Impl::forgetEarlierPipelines(const RenderSettings& settings, cons
                                                          : settings.shadow;
         if (!isNeutral(pipeline)) inUse.push_back(place);
     }
+    // Lights that share a place do so as long as nothing changes.
+    if (shadowed.sharing > 0 && settings.shadow == earlierPipelines[0]) inUse.emplace_back(kSharedShadow);
     slots.keepOnly(inUse);
+    // Else what is about to be replaced would take the room of what replaces it.
+    if (settings.shadow != earlierPipelines[0])
+        for (const int light : request.lights) slots.release(fmt::format("shadow {}", light));
     const std::array<Pipeline, 4> pipelines{settings.shadow, settings.ao, settings.indirect, settings.aa};
     if (pipelines != earlierPipelines) targets.trim();
     earlierPipelines = pipelines;
@@ -418,16 +480,16 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     result.frames_ms = totals;
     result.cpu_ms = statsOf(cpuTimes).median;
     result.cpuFrames_ms = cpuTimes;
+    if (shadowed.sharing == 0) slots.release(kSharedShadow);
     result.gpuBytes = targets.bytes() + byteSize(*gbuffer) + slots.gpuBytes();
     result.counters = recorder.counters;
-    for (int index : request.lights)
-        if (settings.givenVisibility.count(index) == 0)
-            for (const auto& technique : slots.get(fmt::format("shadow {}", index), settings.shadow, frame))
-                if (technique->entry().family == Family::Shadow &&
-                    !static_cast<ShadowTechnique&>(*technique).refinesInput()) {
-                    result.footprint[index] = static_cast<ShadowTechnique&>(*technique).footprint();
-                    result.range[index] = static_cast<ShadowTechnique&>(*technique).range();
-                }
+    result.footprint = shadowed.footprint;
+    result.range = shadowed.range;
+    if (shadowed.sharing > 0)
+        frame.warn(
+            fmt::format("the shadows of {} of {} lights find no room in {} MiB of memory and are drawn anew in "
+                        "every frame",
+                        shadowed.sharing, request.lights.size(), keptShadowBytes >> 20));
     result.warnings = recorder.warnings;
     result.debugMessages = context->takeDebugMessages();
     recorder.blocks.clear();

@@ -96,6 +96,50 @@ TEST_F(RendererTest, MemoryDoesNotGrowOverAlternatingCalls) {
     EXPECT_LE(withA, pixels * (28 + 64) + 256 * 256 * 4);
 }
 
+TEST_F(RendererTest, LightsThatFindNoRoomGiveTheSamePicture) {
+    const Scene scene = loadScene("many-lights");
+    const std::size_t lights = scene.lights.size();
+    for (const char* shadow : {"map:resolution=64", "volume-zfail", "ray-traced"}) {
+        SCOPED_TRACE(shadow);
+        RenderSettings settings = small(shadow);
+        RenderSettings lookups = settings;
+        lookups.images = false;
+        const RenderResult all = render(scene, settings), looked = again(lookups);
+        // Room for some, and for one alone.
+        for (const std::uint64_t room : {std::uint64_t(3) * 6 * 64 * 64 * 4, std::uint64_t(1)}) {
+            RendererOptions tight = options();
+            tight.keptShadowBytes = room;
+            Renderer bounded(tight);
+            bounded.setScene(scene);
+            for (int call = 0; call < 2; ++call) {
+                const RenderResult few = bounded.render(settings);
+                expectSame(all, few);
+                EXPECT_LT(few.gpuBytes, all.gpuBytes);
+                ASSERT_EQ(few.footprint.size(), lights);
+                ASSERT_EQ(few.range.size(), lights);
+                for (const auto& [light, footprint] : all.footprint)
+                    EXPECT_EQ(few.footprint.at(light).texelPerMetre, footprint.texelPerMetre);
+                ASSERT_FALSE(few.warnings.empty());
+                EXPECT_TRUE(has(few.warnings.back(), "find no room")) << few.warnings.back();
+            }
+            // Visibilities of 0 and 1 pass through an image unchanged.
+            EXPECT_EQ(bounded.render(lookups).picture, looked.picture);
+        }
+        EXPECT_TRUE(std::none_of(all.warnings.begin(), all.warnings.end(),
+                                 [](const std::string& warning) { return has(warning, "find no room"); }));
+    }
+}
+
+TEST_F(RendererTest, SaysWhenLightsNeedTooMuchMemory) {
+    Scene scene = loadScene("gap");
+    scene.lights.resize(4000, scene.lights.front());
+    RenderSettings large = small();
+    large.width = 1920;
+    large.height = 1080;
+    renderer().setScene(scene);
+    EXPECT_TRUE(has(refusal(large), "the visibility of 4000 lights at 1920 x 1080 pixels takes 47460 MiB"));
+}
+
 TEST_F(RendererTest, FailedCallsLeaveTheRendererUsable) {
     const Scene scene = loadScene("gap");
     const RenderResult first = render(scene, small());
@@ -144,8 +188,8 @@ TEST_F(RendererTest, ResultsSayWhatWasDone) {
     EXPECT_TRUE(renderer().device().clock == "timestamp" || renderer().device().clock == "wall");
 }
 
-// Where nobody wants its image, lighting asks the map itself: a visibility of 0 or 1 loses nothing on its way through an
-// image, so that the pictures are equal bit by bit. `cornell`'s light has six views.
+// Where nobody wants its image, lighting asks the map itself: a visibility of 0 or 1 loses nothing on its way through
+// an image, so that the pictures are equal bit by bit. `cornell`'s light has six views.
 TEST_F(RendererTest, ThePictureAloneIsTheSameWithoutAnImageOfVisibility) {
     for (const char* name : {"gap", "cornell", "many-lights"}) {
         SCOPED_TRACE(name);

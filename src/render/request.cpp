@@ -125,6 +125,19 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
         for (const TechniqueSpec& spec : *pipeline)
             request.needsStencil = request.needsStencil || techniqueEntry(spec.id).traits.needsStencil;
 
+    // Lights are many by mistake more often than by will, and nothing says before the system ends the program.
+    constexpr std::uint64_t kMostVisibilityBytes = std::uint64_t(4) << 30;
+    const std::uint64_t texelBytes = settings.images ? 2 + 4 : 2;  // a target of 16 bits; its image of 32
+    const std::uint64_t visibilityBytes =
+        std::uint64_t(settings.width) * std::uint64_t(settings.height) * request.lights.size() * texelBytes;
+    const bool hasShadows = settings.shadow.size() > 1 || !techniqueEntry(settings.shadow[0].id).traits.neutral;
+    if ((hasShadows || settings.images) && visibilityBytes > kMostVisibilityBytes)
+        throw Error(ErrorCode::Usage,
+                    fmt::format("the visibility of {} lights at {} x {} pixels takes {} MiB; at most {} are used",
+                                request.lights.size(), settings.width, settings.height, visibilityBytes >> 20,
+                                kMostVisibilityBytes >> 20),
+                    "make the picture smaller or choose one light");
+
     request.needsMaterial = settings.shading == Shading::Pbr ||
                             std::any_of(settings.show.begin(), settings.show.end(),
                                         [](const std::string& name) { return name == "material" || name == "all"; });

@@ -45,10 +45,21 @@ void TechniqueSlots::keepOnly(const std::vector<std::string>& places) {
     }
 }
 
+void TechniqueSlots::invalidate(const std::string& place) {
+    if (const auto found = m_places.find(place); found != m_places.end()) found->second.generation = 0;
+}
+
 std::uint64_t TechniqueSlots::gpuBytes() const {
     std::uint64_t bytes = 0;
-    for (const auto& [name, place] : m_places)
-        for (const auto& technique : place.techniques) bytes += technique->gpuBytes();
+    for (const auto& [name, place] : m_places) bytes += gpuBytes(name);
+    return bytes;
+}
+
+std::uint64_t TechniqueSlots::gpuBytes(const std::string& place) const {
+    const auto found = m_places.find(place);
+    if (found == m_places.end()) return 0;
+    std::uint64_t bytes = 0;
+    for (const auto& technique : found->second.techniques) bytes += technique->gpuBytes();
     return bytes;
 }
 

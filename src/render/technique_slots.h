@@ -26,9 +26,18 @@ public:
     /// Destroys every technique that is at no place of `places`.
     void keepOnly(const std::vector<std::string>& places);
 
+    /// Destroys the techniques at `place`; they are made anew when they are asked for again.
+    void release(const std::string& place) { m_places.erase(place); }
+
     void clear() { m_places.clear(); }
 
+    /// What is at `place` must be prepared again before it is used.
+    void invalidate(const std::string& place);
+
+    bool has(const std::string& place) const { return m_places.count(place) > 0; }
+
     std::uint64_t gpuBytes() const;
+    std::uint64_t gpuBytes(const std::string& place) const;
 
 private:
     struct Place {

@@ -61,6 +61,18 @@ std::optional<fs::path> findAsset(const fs::path& folder, const std::string& nam
     return found;
 }
 
+std::string whyNotFound(const fs::path& folder, const std::string& name) {
+    std::string slashes = trim(name);
+    if (slashes.find('\0') != std::string::npos) return "is missing";
+    std::replace(slashes.begin(), slashes.end(), '\\', '/');
+    std::error_code failed;
+    const fs::path place = folder / slashes;  // an absolute path stays as it is
+    const fs::file_status status = fs::status(place, failed);
+    LoadRecord::presence(place, fs::exists(status));
+    if (fs::is_directory(status)) return "is a folder";
+    return fs::exists(status) ? "is no file but a pipe, a socket or a device" : "is missing";
+}
+
 std::string readWholeFile(const fs::path& file) {
     std::error_code failed;
     const fs::file_status status = fs::status(file, failed);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -44,9 +45,10 @@ constexpr int kMostThreads = 8;  // every thread's stack counts as memory
 
 /// What a program may use before it has opened anything, and how much more each file allows. Measured on real files:
 /// models take up to 20 times their size in memory and 0.1 s a MiB, so 32 times and 1 s leave room for slow machines; a
-/// compressed picture of n bytes may hold 1000 n texels but seldom more than 8192 x 8192.
+/// compressed picture of n bytes may hold 1000 n texels but seldom more than 8192 x 8192. The least time lets whatever
+/// is small end within 10 s, the program's own start and end included.
 constexpr double kBaseMemory_MiB = 1024, kMemoryPerByte = 32, kImageMemoryPerByte = 1024, kMostImage_MiB = 2560;
-constexpr double kBaseTime_s = 7, kTimePerMiB_s = 1;
+constexpr double kLeastTime_s = 8, kTimePerMiB_s = 1;
 
 ImportNotice* g_notice = nullptr;
 
@@ -76,7 +78,7 @@ public:
     void allow(std::uint64_t size, bool isImage) {
         const double size_MiB = double(size) / kMiB;
         m_memory_MiB += isImage ? std::min(size_MiB * kImageMemoryPerByte, kMostImage_MiB) : size_MiB * kMemoryPerByte;
-        m_time_s += size_MiB * kTimePerMiB_s;
+        m_size_MiB += size_MiB;
         apply();
     }
 
@@ -86,7 +88,7 @@ private:
         const double physical_MiB = double(::sysconf(_SC_PHYS_PAGES)) * double(::sysconf(_SC_PAGESIZE)) / kMiB;
         const double memory_MiB =
             m_fixedMemory_MiB.value_or(std::min(m_memory_MiB, std::max(kBaseMemory_MiB, 0.75 * physical_MiB)));
-        const double time_s = m_fixedTime_s.value_or(m_time_s);
+        const double time_s = m_fixedTime_s.value_or(std::max(kLeastTime_s, m_size_MiB * kTimePerMiB_s));
         g_notice->memory_MiB = std::uint64_t(memory_MiB);
         g_notice->time_s = std::uint64_t(time_s);
         const rlim_t bytes = rlim_t(memory_MiB * kMiB);
@@ -95,11 +97,14 @@ private:
         // Threads share the processor time; the clock on the wall also ends what sleeps.
         const rlimit time{rlim_t(std::ceil(time_s)) * 2, RLIM_INFINITY};
         ::setrlimit(RLIMIT_CPU, &time);
-        ::alarm(unsigned(std::ceil(time_s)));
+        // Counted from the start: many small files do not add up.
+        const std::chrono::duration<double> used = std::chrono::steady_clock::now() - m_start;
+        ::alarm(unsigned(std::ceil(std::max(time_s - used.count(), 1.0))));
     }
 
     std::optional<double> m_fixedMemory_MiB, m_fixedTime_s;
-    double m_memory_MiB = kBaseMemory_MiB, m_time_s = kBaseTime_s;
+    double m_memory_MiB = kBaseMemory_MiB, m_size_MiB = 0;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
 void note(const std::filesystem::path& file) {

@@ -182,14 +182,14 @@ TEST_F(Guard, LimitsEndWhatRunsAway) {
 }
 
 TEST_F(Guard, SleepersMeetTheClock) {
-    // A pipe in a texture's place: its reader would wait for a writer for ever. It is not a file, so the texture is
-    // missing.
+    // A pipe in a texture's place: its reader would wait for a writer for ever. It is not a file, so it is
+    // not opened.
     ASSERT_EQ(::mkfifo((m_folder.path() / "pipe.png").c_str(), 0600), 0);
     m_folder.write("t.mtl", "newmtl m\nmap_Kd pipe.png\n");
     const std::string file = m_folder.write("piped.obj", std::string("mtllib t.mtl\nusemtl m\n") + kTriangleObj);
     const Scene scene = loadScene(file, guarded());
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_EQ(scene.warnings[0], "texture 'pipe.png' is missing");
+    EXPECT_EQ(scene.warnings[0], "texture 'pipe.png' is no file but a pipe, a socket or a device");
 }
 
 TEST(LoadScene, RefusesWhatIsNoFile) {

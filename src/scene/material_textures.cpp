@@ -51,7 +51,8 @@ int MaterialTextures::pick(const std::string& name, bool srgb, const std::filesy
     if (!file) file = findAsset(m_folder, name);
     if (!file) file = findAsset(m_folder, percentDecoded(name));
     if (file) return m_set.add(*file, srgb);
-    const std::string warning = "texture '" + name + "' is missing";
+    const std::string warning =
+        "texture '" + name + "' " + whyNotFound(firstFolder.empty() ? m_folder : firstFolder, name);
     if (std::find(m_warnings.begin(), m_warnings.end(), warning) == m_warnings.end()) m_warnings.push_back(warning);
     return -1;
 }

@@ -2,7 +2,10 @@
 #include "scene/mtl_file.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "core/strings.h"
 #include "scene/text_lines.h"
@@ -108,12 +111,14 @@ MtlLibrary parseMtl(const std::string& text, const std::string& name, std::vecto
             else
                 complain();
         };
-        const auto number = [&](std::optional<float>& out) {
+        const auto number = [&](std::optional<float>& out, float largest) {
             const auto n = takeNumbers(line, 1);
-            if (n.size() == 1)
-                out = float(n[0]);
-            else
-                complain();
+            if (n.size() != 1) return complain();
+            const float value = float(n[0]), used = value >= 0.0f ? std::min(value, largest) : 0.0f;
+            out = used;
+            if (used != value)
+                warnings.push_back(fmt::format("{}:{}: '{}' of {} is out of its range; {} is used", name,
+                                               lines.number(), key, value, used));
         };
         if (key == "kd")
             color(current->diffuse);
@@ -122,15 +127,15 @@ MtlLibrary parseMtl(const std::string& text, const std::string& name, std::vecto
         else if (key == "ke")
             color(current->emissive);
         else if (key == "ns")
-            number(current->shininess);
+            number(current->shininess, std::numeric_limits<float>::max());
         else if (key == "pr")
-            number(current->roughness);
+            number(current->roughness, 1.0f);
         else if (key == "pm")
-            number(current->metallic);
+            number(current->metallic, 1.0f);
         else if (key == "d")
-            number(current->opacity);
+            number(current->opacity, 1.0f);
         else if (key == "tr") {
-            number(current->opacity);
+            number(current->opacity, 1.0f);
             if (current->opacity) current->opacity = 1.0f - *current->opacity;
         } else if (key == "map_kd")
             current->diffuseMap = readMap(line);

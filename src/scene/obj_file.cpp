@@ -256,7 +256,7 @@ MtlLibrary readLibraries(const std::vector<std::string>& statements, const std::
         if (readOne(statement)) continue;
         for (const std::string& name : split(statement, ' '))
             if (!trim(name).empty() && !readOne(name))
-                warnings.push_back("material file '" + trim(name) + "' is missing");
+                warnings.push_back("material file '" + trim(name) + "' " + whyNotFound(folder, name));
     }
     return library;
 }

@@ -88,7 +88,7 @@ TEST(Obj, VertexColors) {
 TEST(Obj, WhatIsPassedOverIsSaid) {
     const TestFolder folder;
     const Scene scene = loadScene(folder.write(
-        "w.obj", std::string(kTriangleObj) + "l 1 2\np 1\nf 1 2\nbleh 3\nusemtl gone\ns off\ng a b\no c\nf 1 2 3\n"));
+        "w.obj", std::string(kTriangleObj) + "l 1 2\np 1\nf 1 2\nbleh 3\nusemtl gone\ns off\ng a b\no c\nf 1 3 2\n"));
     EXPECT_TRUE(warns(scene, "2 points, lines and curves are left out, the first in w.obj:5"));
     EXPECT_TRUE(warns(scene, "1 faces of fewer than 3 corners are left out, the first in w.obj:7"));
     EXPECT_TRUE(warns(scene, "1 statements that no OBJ file has are left out, the first in w.obj:8: 'bleh'"));
@@ -160,6 +160,35 @@ TEST(Obj, TexturesLieBesideTheirMaterialFile) {
     const Mesh& mesh = scene.meshes[0];
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(mesh.uvs[i], glm::vec2(mesh.positions[i].x * 2 + 0.5f, 1 - (mesh.positions[i].y * 3 + 0.25f)));
+}
+
+TEST(Obj, SaysWhatStandsInAFilesPlace) {
+    const TestFolder folder;
+    folder.write("mats/m.mtl", "newmtl a\nmap_Kd .\nnewmtl b\nmap_Kd gone.png\nnewmtl c\nmap_Kd /dev/null\n");
+    const Scene scene =
+        loadScene(folder.write("m.obj",
+                               "mtllib mats\nmtllib mats/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nusemtl a\n"
+                               "f 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 1 3 4\n"));
+    EXPECT_TRUE(warns(scene, "material file 'mats' is a folder"));
+    EXPECT_TRUE(warns(scene, "texture '.' is a folder"));
+    EXPECT_TRUE(warns(scene, "texture 'gone.png' is missing"));
+    EXPECT_TRUE(warns(scene, "texture '/dev/null' is no file but a pipe, a socket or a device"));
+}
+
+TEST(Obj, NumbersOutOfTheirRangeAreSaid) {
+    std::vector<std::string> warnings;
+    const MtlLibrary library =
+        parseMtl("newmtl a\nNs -5\nd 7\nnewmtl b\nNs 0\nd 1\nPr 1\nPm 0\nTr 0\nnewmtl c\nTr 1.5\nPr -1\nPm 2\n",
+                 "m.mtl", warnings);
+    EXPECT_EQ(library.at("a").shininess, 0.0f);
+    EXPECT_EQ(library.at("a").opacity, 1.0f);
+    EXPECT_EQ(library.at("c").opacity, 0.0f);
+    EXPECT_EQ(library.at("c").roughness, 0.0f);
+    EXPECT_EQ(library.at("c").metallic, 1.0f);
+    ASSERT_EQ(warnings.size(), 5u);
+    EXPECT_EQ(warnings[0], "m.mtl:2: 'ns' of -5 is out of its range; 0 is used");
+    EXPECT_EQ(warnings[1], "m.mtl:3: 'd' of 7 is out of its range; 1 is used");
+    EXPECT_EQ(warnings[2], "m.mtl:11: 'tr' of 1.5 is out of its range; 1 is used");
 }
 
 TEST(Obj, TwoTexturesOfOneNameInTwoFoldersStayApart) {

@@ -241,10 +241,12 @@ ModelFile readPly(const std::string& content, const std::filesystem::path& file)
     if (!mesh.uvs.empty()) mesh.uvs.resize(mesh.positions.size(), glm::vec2(0.0f));
     model.materials.push_back(plainMaterial(mesh.name, !mesh.colors.empty() || !reader.textureFile().empty()));
     if (!reader.textureFile().empty()) {
-        if (const auto picture = findAsset(file.has_parent_path() ? file.parent_path() : ".", reader.textureFile()))
+        const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+        if (const auto picture = findAsset(folder, reader.textureFile()))
             setColorTexture(model, *picture);
         else
-            model.warnings.push_back("texture '" + reader.textureFile() + "' is missing");
+            model.warnings.push_back("texture '" + reader.textureFile() + "' " +
+                                     whyNotFound(folder, reader.textureFile()));
     }
     return model;
 }

@@ -3,11 +3,20 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 #include "core/strings.h"
+#include "scene/archive.h"
+#include "scene/load_record.h"
 #include "scene/mesh_build.h"
+#include "scene/scene_fields.h"
 
 namespace ombrage {
 
@@ -30,9 +39,8 @@ bool isLess(const glm::vec3& a, const glm::vec3& b) {
     return a.y != b.y ? a.y < b.y : a.z < b.z;
 }
 
-/// Removes triangles whose corners lie where another's do, in the same turning sense. All corners are finite.
-std::size_t dropDuplicates(Mesh& mesh) {
-    // The smallest corner leads; triangles are bucketed by it (counting sort), and only a bucket's own are compared.
+/// The number of each vertex's place; vertices at the same one share it. What is not finite has none.
+std::vector<std::uint32_t> placesOf(const Mesh& mesh) {
     std::vector<std::uint32_t> order(mesh.positions.size()), place(mesh.positions.size());
     std::iota(order.begin(), order.end(), 0u);
     order.erase(
@@ -45,31 +53,87 @@ std::size_t dropDuplicates(Mesh& mesh) {
         if (i > 0 && mesh.positions[order[i]] != mesh.positions[order[i - 1]]) ++count;
         place[order[i]] = count;
     }
-    const std::size_t triangleCount = mesh.triangleCount();
-    std::vector<std::array<std::uint32_t, 3>> corners(triangleCount);
-    std::vector<std::uint32_t> starts(std::size_t(count) + 2, 0);
-    for (std::size_t t = 0; t < triangleCount; ++t) {
-        for (std::size_t k = 0; k < 3; ++k) corners[t][k] = place[mesh.indices[3 * t + k]];
-        std::rotate(corners[t].begin(), std::min_element(corners[t].begin(), corners[t].end()), corners[t].end());
-        ++starts[corners[t][0] + 1];
-    }
-    std::partial_sum(starts.begin(), starts.end(), starts.begin());
-    std::vector<std::uint32_t> filled(starts.begin(), starts.end() - 1), bucket(triangleCount);
+    return place;
+}
 
-    // Triangles enter their buckets in order, so that the first of several stays.
-    std::size_t kept = 0;
+/// Removes triangles whose corners lie where another's do, in the same turning sense. All corners are finite.
+std::size_t dropDuplicates(Mesh& mesh) {
+    // A table of the triangles met so far, open to the next free slot: a fan's triangles all share a corner, so
+    // sorting them by one would compare each with each.
+    using Corners = std::array<std::uint32_t, 3>;
+    constexpr std::uint32_t kFree = 0xffffffffu;
+    const std::vector<std::uint32_t> place = placesOf(mesh);
+    const std::size_t triangleCount = mesh.triangleCount();
+    std::vector<Corners> kept;
+    kept.reserve(triangleCount);
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * triangleCount + 1), kFree);
     for (std::size_t t = 0; t < triangleCount; ++t) {
-        const std::uint32_t first = starts[corners[t][0]];
-        std::uint32_t& end = filled[corners[t][0]];
-        const bool isRepeated = std::any_of(bucket.begin() + first, bucket.begin() + end,
-                                            [&](std::uint32_t other) { return corners[other] == corners[t]; });
-        if (isRepeated) continue;
-        bucket[end++] = std::uint32_t(t);
-        for (std::size_t k = 0; k < 3; ++k) mesh.indices[3 * kept + k] = mesh.indices[3 * t + k];
-        ++kept;
+        // The smallest corner leads, so that turned triangles are equal.
+        Corners corners{};
+        for (std::size_t k = 0; k < 3; ++k) corners[k] = place[mesh.indices[3 * t + k]];
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        std::size_t slot = std::size_t(fingerprintOf(corners.data(), sizeof corners)[0]) & (table.size() - 1);
+        while (table[slot] != kFree && kept[table[slot]] != corners) slot = (slot + 1) & (table.size() - 1);
+        if (table[slot] != kFree) continue;
+
+        table[slot] = std::uint32_t(kept.size());
+        for (std::size_t k = 0; k < 3; ++k) mesh.indices[3 * kept.size() + k] = mesh.indices[3 * t + k];
+        kept.push_back(corners);
     }
-    mesh.indices.resize(3 * kept);
-    return triangleCount - kept;
+    mesh.indices.resize(3 * kept.size());
+    return triangleCount - kept.size();
+}
+
+/// Numbers of materials that look the same, whatever their names.
+std::vector<int> looksOf(const Scene& scene) {
+    std::map<std::string, int> numbers;
+    std::vector<int> looks;
+    for (Material material : scene.materials) {
+        material.name.clear();
+        std::string bytes;
+        const auto append = [&](const void* data, std::size_t size) {
+            bytes.append(static_cast<const char*>(data), size);
+        };
+        ArchiveWriter archive(append);
+        archive(material);
+        looks.push_back(numbers.try_emplace(std::move(bytes), int(numbers.size())).first->second);
+    }
+    return looks;
+}
+
+bool isSameShape(const Mesh& a, const Mesh& b) {
+    return a.positions == b.positions && a.normals == b.normals && a.tangents == b.tangents && a.uvs == b.uvs &&
+           a.colors == b.colors && a.indices == b.indices;
+}
+
+/// Removes instances that no picture tells from one before them: of one model and place, shape and look. Thousands of
+/// them on one spot, as broken exporters write them, would each be drawn over all the others.
+std::size_t dropRepeatedInstances(Scene& scene) {
+    // Animations name instances by their numbers, and may move one of two away.
+    for (const Animation& animation : scene.animations)
+        if (!animation.instances.empty()) return 0;
+    const std::vector<int> looks = looksOf(scene);
+    std::vector<Fingerprint> shapes;
+    for (const Mesh& mesh : scene.meshes)
+        shapes.push_back(fingerprintOf(mesh.positions.data(), mesh.positions.size() * sizeof(glm::vec3)));
+
+    using Key = std::tuple<int, int, Fingerprint, std::array<double, 16>>;
+    std::map<Key, std::vector<int>> meshesAt;
+    const auto isRepeated = [&](const Instance& instance) {
+        const Mesh& mesh = scene.meshes[std::size_t(instance.mesh)];
+        std::array<double, 16> place{};
+        std::copy_n(&instance.worldFromLocal[0][0], 16, place.begin());
+        if (std::any_of(place.begin(), place.end(), [](double value) { return std::isnan(value); })) return false;
+        std::vector<int>& others =
+            meshesAt[{instance.model, looks[std::size_t(mesh.material)], shapes[std::size_t(instance.mesh)], place}];
+        for (const int other : others)
+            if (other == instance.mesh || isSameShape(scene.meshes[std::size_t(other)], mesh)) return true;
+        // Meshes that differ in all but their corners are few; the search among them stays bounded anyway.
+        constexpr std::size_t kMostCompared = 16;
+        if (others.size() < kMostCompared) others.push_back(instance.mesh);
+        return false;
+    };
+    return std::erase_if(scene.instances, isRepeated);
 }
 
 /// How many triangles of which meshes were left out for one reason.
@@ -113,6 +177,9 @@ void repairScene(Scene& scene) {
         completeNormals(mesh);
         makeTangents(mesh);
     }
+    if (const std::size_t count = dropRepeatedInstances(scene); count > 0)
+        scene.warnings.push_back(std::to_string(count) + (count == 1 ? " part that repeats" : " parts that repeat") +
+                                 " another at the same place left out");
     bad.tell("with non-finite corners or without area", scene.warnings);
     repeated.tell("that are there twice", scene.warnings);
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 #include <ombrage/scene.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "scene/builtin.h"
 #include "scene/scene_repair.h"
@@ -43,6 +45,52 @@ TEST(SceneRepair, DropsDuplicatesByPlaceAndTurningSense) {
     EXPECT_EQ(scene.meshes[0].triangleCount(), 3u);
     ASSERT_EQ(scene.warnings.size(), 1u);
     EXPECT_EQ(scene.warnings[0], "2 triangles that are there twice left out (in mesh)");
+}
+
+TEST(SceneRepair, FansOfManyTrianglesTakeNoLongerThanOthers) {
+    // 200,000 triangles share a corner: each compared with each would take some 20 s, a table 0.1 s.
+    Mesh mesh;
+    constexpr std::uint32_t kCount = 200000;
+    mesh.positions.emplace_back(0.0f);
+    for (std::uint32_t i = 0; i <= kCount; ++i)
+        mesh.positions.emplace_back(1000.0f * std::cos(3e-5f * float(i)), 1000.0f * std::sin(3e-5f * float(i)), 0.0f);
+    mesh.normals.assign(mesh.positions.size(), {0, 0, 1});
+    mesh.uvs.assign(mesh.positions.size(), {0, 0});
+    for (std::uint32_t i = 0; i < kCount; ++i) mesh.indices.insert(mesh.indices.end(), {0, i + 1, i + 2});
+    mesh.indices.insert(mesh.indices.end(), {2, 0, 1});
+    Scene scene = sceneOf(mesh);
+    const auto start = std::chrono::steady_clock::now();
+    repairScene(scene);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0], "1 triangle that are there twice left out (in mesh)");
+}
+
+TEST(SceneRepair, DropsInstancesThatNoPictureTellsApart) {
+    Scene scene = sceneOf(shapes::box({0, 0, 0}, {1, 1, 1}));
+    scene.meshes.resize(3, scene.meshes[0]);
+    for (Mesh& mesh : scene.meshes) mesh.tangents = scene.meshes[0].tangents;
+    scene.meshes[1].material = 1;  // another name, the same look
+    scene.meshes[2].material = 2;  // another look
+    scene.materials.resize(3);
+    scene.materials[1].name = "twin";
+    scene.materials[2].baseColor = {1, 0, 0};
+    scene.models.resize(2);
+    const glm::dmat4 moved = glm::translate(glm::dmat4(1.0), {1, 0, 0});
+    scene.instances = {{0, 0, glm::dmat4(1.0)}, {1, 0, glm::dmat4(1.0)}, {2, 0, glm::dmat4(1.0)},
+                       {0, 0, glm::dmat4(1.0)}, {0, 1, glm::dmat4(1.0)}, {0, 0, moved}};
+    Scene animated = scene;
+    repairScene(scene);
+    ASSERT_EQ(scene.instances.size(), 4u);
+    EXPECT_EQ(scene.instances[1].mesh, 2);
+    EXPECT_EQ(scene.instances[2].model, 1);
+    EXPECT_EQ(scene.instances[3].worldFromLocal, moved);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_EQ(scene.warnings[0], "2 parts that repeat another at the same place left out");
+    // An animation may take them apart.
+    animated.animations.push_back({.type = "swing", .instances = {3}});
+    repairScene(animated);
+    EXPECT_EQ(animated.instances.size(), 6u);
 }
 
 TEST(SceneRepair, SaysWhatItDropsAndMakesNumbersOfTheRest) {
