@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "report/crops.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "report/html_text.h"
+
+namespace ombrage {
+
+namespace {
+
+constexpr int kCropCount = 3;
+constexpr double kLeastSpread = 0.5 / 255;
+
+/// Sums of all values above and left of a pixel, so that a window's sum takes four of them.
+std::vector<double> summedTable(const std::vector<double>& values, int width, int height) {
+    std::vector<double> table(std::size_t(width + 1) * std::size_t(height + 1), 0.0);
+    const std::size_t row = std::size_t(width) + 1;
+    for (std::size_t y = 0; y < std::size_t(height); ++y)
+        for (std::size_t x = 0; x < std::size_t(width); ++x)
+            table[(y + 1) * row + x + 1] = values[y * std::size_t(width) + x] + table[y * row + x + 1] +
+                                           table[(y + 1) * row + x] - table[y * row + x];
+    return table;
+}
+
+std::vector<double> deviations(const std::vector<Image>& images) {
+    std::vector<double> result(images.front().pixelCount());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        double sum = 0, squares = 0;
+        for (const Image& image : images) {
+            const double v = double(image.plane(0)[i]);
+            sum += v;
+            squares += v * v;
+        }
+        const double n = double(images.size()), mean = sum / n;
+        result[i] = std::sqrt(std::max(0.0, squares / n - mean * mean));
+    }
+    return result;
+}
+
+Image cut(const Image& source, const CropWindow& window) {
+    Image result(window.size, window.size, source.planeNames(), source.colorSpace());
+    for (int p = 0; p < source.planeCount(); ++p)
+        for (int y = 0; y < window.size; ++y)
+            for (int x = 0; x < window.size; ++x) result.at(p, x, y) = source.at(p, window.x + x, window.y + y);
+    return result;
+}
+
+double meanDifference(const Image& a, const Image& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixelCount(); ++i) sum += std::fabs(double(a.plane(0)[i] - b.plane(0)[i]));
+    return sum / double(a.pixelCount());
+}
+
+/// Of the records with a picture of the group's size, the better half, at least two.
+std::vector<Image> betterHalf(const PictureFiles& pictures, const RecordGroup& group) {
+    std::vector<const RunRecord*> order;
+    for (const RunRecord* r : group.records)
+        if (metricOf(*r, "rmse")) order.push_back(r);
+    std::stable_sort(order.begin(), order.end(), [](const RunRecord* a, const RunRecord* b) {
+        return *metricOf(*a, "rmse") < *metricOf(*b, "rmse");
+    });
+    order.resize(std::min(order.size(), std::max<std::size_t>(2, (order.size() + 1) / 2)));
+    std::vector<Image> images;
+    for (const RunRecord* r : order) {
+        Image image = pictures.decoded(*r, "visibility");
+        if (!image.empty() &&
+            (images.empty() || (image.width() == images[0].width() && image.height() == images[0].height())))
+            images.push_back(std::move(image));
+    }
+    return images;
+}
+
+struct CropPicture {
+    std::string html;
+    std::size_t bytes = 0;
+};
+
+CropPicture cropFigure(const Image& image, const std::string& caption, const std::string& alt,
+                       const std::string& data) {
+    const std::string uri = pngUri(encodePng(image));
+    return {"<figure" + data + "><img alt=\"" + escapeHtml(alt) + "\" src=\"" + uri + "\"><figcaption>" +
+                escapeHtml(caption) + "</figcaption></figure>\n",
+            uri.size()};
+}
+
+}  // namespace
+
+std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, int count) {
+    if (images.size() < 2) return {};
+    const int width = images[0].width(), height = images[0].height();
+    // An eighth of the width, so that the eye sees pixels and still knows where it is.
+    const int size = std::min({std::max(48, width / 8), width, height});
+    const int step = std::max(1, size / 4);
+    const std::vector<double> table = summedTable(deviations(images), width, height);
+    const auto at = [&](int x, int y) { return table[std::size_t(y) * std::size_t(width + 1) + std::size_t(x)]; };
+    std::vector<CropWindow> windows;
+    for (int y = 0; y + size <= height; y += step)
+        for (int x = 0; x + size <= width; x += step) {
+            const double sum = at(x + size, y + size) - at(x, y + size) - at(x + size, y) + at(x, y);
+            windows.push_back({x, y, size, sum / (double(size) * size)});
+        }
+    std::stable_sort(windows.begin(), windows.end(),
+                     [](const CropWindow& a, const CropWindow& b) { return a.spread > b.spread; });
+    std::vector<CropWindow> chosen;
+    for (const CropWindow& window : windows) {
+        if (int(chosen.size()) == count || window.spread < kLeastSpread) break;
+        const bool apart = std::all_of(chosen.begin(), chosen.end(), [&](const CropWindow& other) {
+            return std::abs(other.x - window.x) >= size || std::abs(other.y - window.y) >= size;
+        });
+        if (apart) chosen.push_back(window);
+    }
+    return chosen;
+}
+
+std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, std::size_t& budget) {
+    const std::vector<CropWindow> windows = cropsWhereTheyDiffer(betterHalf(pictures, group), kCropCount);
+    if (windows.empty()) return {};
+    const bool own = hasOwnTruth(group.first());
+    std::vector<std::string> rows(windows.size());
+    std::size_t bytes = 0;
+    const auto add = [&](std::size_t row, CropPicture picture) {
+        rows[row] += picture.html;
+        bytes += picture.bytes;
+    };
+    for (std::size_t i = 0; i < group.records.size(); ++i) {
+        const RunRecord& r = *group.records[i];
+        const Image truth = pictures.decoded(r, "truth"), image = pictures.decoded(r, "visibility");
+        for (std::size_t w = 0; w < windows.size(); ++w) {
+            const auto fits = [&](const Image& picture) {
+                return picture.width() >= windows[w].x + windows[w].size &&
+                       picture.height() >= windows[w].y + windows[w].size;
+            };
+            if (i == 0 && !own && fits(truth))
+                add(w, cropFigure(cut(truth, windows[w]), "truth", "Truth within the crop", ""));
+            if (!fits(image)) continue;
+            const Image crop = cut(image, windows[w]);
+            std::string caption = r.pipeline;
+            if (fits(truth)) caption += ": " + shortNumber(meanDifference(crop, cut(truth, windows[w])));
+            add(w, cropFigure(crop, caption, "Visibility by " + caption,
+                              fmt::format(" data-record=\"{}\"", group.indices[i])));
+        }
+    }
+    if (bytes > budget) return {};
+    budget -= bytes;
+    std::string html =
+        "<details class=\"crops\" open><summary>Where the better techniques differ most</summary>\n"
+        "<p>Visibility, pixel by pixel. The figure is the mean absolute difference from the truth within the "
+        "crop.</p>\n";
+    for (std::size_t w = 0; w < windows.size(); ++w)
+        html += fmt::format(
+                    "<div class=\"croprow\" data-x=\"{}\" data-y=\"{}\" data-size=\"{}\"><p>At {}, {}: {} x {} "
+                    "pixels</p><div class=\"strip\">\n",
+                    windows[w].x, windows[w].y, windows[w].size, windows[w].x, windows[w].y, windows[w].size,
+                    windows[w].size) +
+                rows[w] + "</div></div>\n";
+    return html + "</details>\n";
+}
+
+}  // namespace ombrage
