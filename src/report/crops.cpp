@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <optional>
 
+#include "metrics/error_colors.h"
 #include "report/html_text.h"
 
 namespace ombrage {
@@ -25,9 +28,10 @@ std::vector<double> summedTable(const std::vector<double>& values, int width, in
     return table;
 }
 
-std::vector<double> deviations(const std::vector<Image>& images) {
-    std::vector<double> result(images.front().pixelCount());
+std::vector<double> deviations(const std::vector<Image>& images, const std::vector<bool>& measured) {
+    std::vector<double> result(images.front().pixelCount(), 0.0);
     for (std::size_t i = 0; i < result.size(); ++i) {
+        if (!measured.empty() && !measured[i]) continue;
         double sum = 0, squares = 0;
         for (const Image& image : images) {
             const double v = double(image.plane(0)[i]);
@@ -48,10 +52,30 @@ Image cut(const Image& source, const CropWindow& window) {
     return result;
 }
 
-double meanDifference(const Image& a, const Image& b) {
+/// Error maps paint what is not measured in a grey that their scale does not have. Empty where there is no error map.
+std::vector<bool> measuredPixels(const Image& errorMap) {
+    std::vector<bool> measured(errorMap.planeCount() < 3 ? 0 : errorMap.pixelCount());
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        measured[i] = false;
+        // One step of eight bits either way.
+        for (int p = 0; p < 3; ++p)
+            if (std::fabs(errorMap.plane(p)[i] - kMaskedGrey) > 1.5f / 255) measured[i] = true;
+    }
+    return measured;
+}
+
+/// Mean absolute difference over the measured pixels of a window; nothing where there are none.
+std::optional<double> meanDifference(const Image& a, const Image& b, const std::vector<bool>& measured,
+                                     const CropWindow& window) {
     double sum = 0;
-    for (std::size_t i = 0; i < a.pixelCount(); ++i) sum += std::fabs(double(a.plane(0)[i] - b.plane(0)[i]));
-    return sum / double(a.pixelCount());
+    int count = 0;
+    for (int y = window.y; y < window.y + window.size; ++y)
+        for (int x = window.x; x < window.x + window.size; ++x) {
+            if (!measured.empty() && !measured[std::size_t(y) * std::size_t(a.width()) + std::size_t(x)]) continue;
+            sum += std::fabs(double(a.at(0, x, y) - b.at(0, x, y)));
+            ++count;
+        }
+    return count == 0 ? std::nullopt : std::optional(sum / count);
 }
 
 /// Of the records with a picture of the group's size, the better half, at least two.
@@ -88,13 +112,15 @@ CropPicture cropFigure(const Image& image, const std::string& caption, const std
 
 }  // namespace
 
-std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, int count) {
+std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, const std::vector<bool>& measured,
+                                             int count) {
     if (images.size() < 2) return {};
     const int width = images[0].width(), height = images[0].height();
+    assert(measured.empty() || measured.size() == images[0].pixelCount());
     // An eighth of the width, so that the eye sees pixels and still knows where it is.
     const int size = std::min({std::max(48, width / 8), width, height});
     const int step = std::max(1, size / 4);
-    const std::vector<double> table = summedTable(deviations(images), width, height);
+    const std::vector<double> table = summedTable(deviations(images, measured), width, height);
     const auto at = [&](int x, int y) { return table[std::size_t(y) * std::size_t(width + 1) + std::size_t(x)]; };
     std::vector<CropWindow> windows;
     for (int y = 0; y + size <= height; y += step)
@@ -116,7 +142,10 @@ std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, i
 }
 
 std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, std::size_t& budget) {
-    const std::vector<CropWindow> windows = cropsWhereTheyDiffer(betterHalf(pictures, group), kCropCount);
+    const std::vector<Image> better = betterHalf(pictures, group);
+    std::vector<bool> measured = measuredPixels(pictures.decoded(group.first(), "error"));
+    if (better.empty() || measured.size() != better.front().pixelCount()) measured.clear();
+    const std::vector<CropWindow> windows = cropsWhereTheyDiffer(better, measured, kCropCount);
     if (windows.empty()) return {};
     const bool own = hasOwnTruth(group.first());
     std::vector<std::string> rows(windows.size());
@@ -138,7 +167,9 @@ std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, 
             if (!fits(image)) continue;
             const Image crop = cut(image, windows[w]);
             std::string caption = r.pipeline;
-            if (fits(truth)) caption += ": " + shortNumber(meanDifference(crop, cut(truth, windows[w])));
+            const bool sameSize = truth.width() == image.width() && truth.height() == image.height() &&
+                                  (measured.empty() || measured.size() == image.pixelCount());
+            if (sameSize) caption += ": " + shortNumber(meanDifference(image, truth, measured, windows[w]));
             add(w, cropFigure(crop, caption, "Visibility by " + caption,
                               fmt::format(" data-record=\"{}\"", group.indices[i])));
         }
@@ -147,8 +178,8 @@ std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, 
     budget -= bytes;
     std::string html =
         "<details class=\"crops\" open><summary>Where the better techniques differ most</summary>\n"
-        "<p>Visibility, pixel by pixel. The figure is the mean absolute difference from the truth within the "
-        "crop.</p>\n";
+        "<p class=\"about\">Visibility, pixel by pixel. The figure is the mean absolute difference from the truth over "
+        "the crop's measured pixels.</p>\n";
     for (std::size_t w = 0; w < windows.size(); ++w)
         html += fmt::format(
                     "<div class=\"croprow\" data-x=\"{}\" data-y=\"{}\" data-size=\"{}\"><p>At {}, {}: {} x {} "

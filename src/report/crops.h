@@ -16,8 +16,11 @@ struct CropWindow {
 };
 
 /// Up to `count` windows that do not overlap, the greatest spread first. Windows whose spread is below half a grey
-/// level of 8 bits show nothing and are left out. Only the first plane counts. @param images of one size
-std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, int count);
+/// level of 8 bits show nothing and are left out. Only the first plane counts.
+/// @param images    of one size
+/// @param measured  per pixel; what is not measured differs in nothing. Empty: everything is
+std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, const std::vector<bool>& measured,
+                                             int count);
 
 /// Of each group, crops of the visibility of every technique and the truth, in the pictures' own pixels.
 /// The windows are those where the better half of the techniques differ: the worse half differs everywhere.

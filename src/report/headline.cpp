@@ -27,7 +27,8 @@ std::map<std::string, Mean> meansOf(const std::vector<RunRecord>& records, const
         const auto rmse = r.metrics.find("rmse");
         // What a technique claims is a truth for itself alone.
         if (r.truth && r.truth->kind == truthKindName(TruthKind::Own)) continue;
-        if (r.family != family || rmse == r.metrics.end() || !rmse->second) continue;
+        // What leaves everything lit is not an answer.
+        if (r.technique == family + "/none" || r.family != family || rmse == r.metrics.end() || !rmse->second) continue;
         Mean& mean = means[r.pipeline];
         mean.rmse += *rmse->second;
         mean.gpu_ms += r.gpu_ms.median;

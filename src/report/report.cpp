@@ -2,6 +2,7 @@
 #include <ombrage/compare.h>
 #include <ombrage/error.h>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "core/whole_file.h"
 #include "lab/run_record.h"
@@ -67,6 +68,9 @@ std::filesystem::path writeReport(const std::filesystem::path& folder, const std
     int line = 0;
     for (const std::string& text : stored.notes)
         data.notes.push_back(RunNote::fromJson(text, stored.notesFile + std::to_string(++line)));
+    for (const std::string& group : stored.benches)
+        if (!nlohmann::json::accept(group))
+            throw Error(ErrorCode::Input, "a bench in '" + folder.string() + "' is not JSON", "measure it again");
     data.benchGroups = std::move(stored.benches);
 
     const PictureFiles pictures(folder, data.records);

@@ -24,18 +24,18 @@ bool lowerIsBetter(const std::string& key) {
     return !info || info->lowerIsBetter;
 }
 
-/// The best value of a column, where there is more than one to choose from. Bias is best nearest to 0.
+/// The best value of a column, where values differ. Bias is best nearest to 0.
 std::optional<double> bestOf(const RecordGroup& group, const std::string& key) {
     std::optional<double> best;
-    int count = 0;
+    bool differ = false;
     for (const RunRecord* r : group.records) {
         const auto value = metricOf(*r, key);
         if (!value) continue;
-        ++count;
+        differ = differ || (best && *value != *best);
         const auto rank = [&](double v) { return key == "bias" ? std::fabs(v) : lowerIsBetter(key) ? v : -v; };
         if (!best || rank(*value) < rank(*best)) best = value;
     }
-    return count > 1 ? best : std::nullopt;
+    return differ ? best : std::nullopt;
 }
 
 double fastestOf(const RecordGroup& group) {
@@ -83,14 +83,15 @@ std::string cell(const std::optional<double>& value, const std::string& shown, b
 }
 
 std::vector<std::string> metricColumns(const RecordGroup& group) {
-    static const std::vector<std::string> shadow{"rmse",         "wrong", "wrong_domain", "bias",   "flip",
-                                                 "over",         "alias", "contact_gap",  "acne",   "penumbra",
-                                                 "false_shadow", "leak",  "noise",        "flicker"};
+    // Classes of errors have a table of their own.
+    static const std::vector<std::string> shadow{"rmse", "wrong",     "wrong_domain", "bias",    "over",
+                                                 "flip", "leak_mass", "noise",        "flicker", "edge_px"};
     static const std::vector<std::string> other{"rmse", "bias", "psnr", "gain_db", "ssim", "noise", "flicker", "flip"};
     std::vector<std::string> columns;
     for (const std::string& key : group.first().family == "shadow" ? shadow : other)
-        if (std::any_of(group.records.begin(), group.records.end(),
-                        [&](const RunRecord* r) { return metricOf(*r, key).has_value(); }))
+        if (std::any_of(group.records.begin(), group.records.end(), [&](const RunRecord* r) {
+                return key == "rmse" ? metricOf(*r, key).has_value() : metricOf(*r, key).value_or(0) != 0;
+            }))
             columns.push_back(key);
     return columns;
 }
@@ -101,7 +102,7 @@ std::string recordTable(const RecordGroup& group, std::size_t number) {
     std::string html =
         tableStart(fmt::format("table-{}", number),
                    "Headings sort, a technique's name shows it in the comparison. The best value of a column is "
-                   "underlined. GPU times by the clock: " +
+                   "underlined; metrics that are 0 for all stand in the details only. GPU times by the clock: " +
                        first.clock + (first.device.software ? ", software" : "") + ".") +
         heading({"technique", "id and parameters that differ from their defaults", false});
     for (const std::string& key : columns) {

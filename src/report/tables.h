@@ -24,7 +24,7 @@ std::string heading(const Column& column);
 std::string rowHeading(const std::string& pipeline, bool pick);
 std::string cell(const std::optional<double>& value, const std::string& shown, bool best = false);
 
-/// Keys of the metrics that the table of the group shows, of those that were measured; the details hold all of them.
+/// Keys of the metrics that the table of the group shows: measured, and not 0 for every run. The details hold all.
 std::vector<std::string> metricColumns(const RecordGroup& group);
 
 /// A sortable table with one row per record; the best value of every column is marked.

@@ -34,6 +34,12 @@ class Comparison {
     return which === 'truth' ? pictureOf(kRecords[this.a], truthKind(kind)) : pictureOf(kRecords[which], kind);
   }
 
+  // As it is shown: visibility without what is not measured.
+  shownPicture(which) {
+    const picture = this.picture(which);
+    return this.kind === 'visibility' && picture ? masked(picture, this.picture(this.a, 'error')) : picture;
+  }
+
   name(which) {
     return which === 'truth' ? 'truth' : kRecords[which].pipeline;
   }
@@ -49,7 +55,7 @@ class Comparison {
       add('classesB', 'Error classes of B', this.picture(this.b, 'classes'));
     }
     if (this.picture(this.a, 'visibility') && this.picture(this.b, 'visibility')) list.push(['difference', 'Difference A − B', null]);
-    add('b', 'B beside A', this.picture(this.b));
+    add('b', 'B beside A', this.shownPicture(this.b));
     return list;
   }
 
@@ -107,7 +113,7 @@ class Comparison {
     this.selectA.value = this.a;
     this.selectB.value = this.b;
     this.draw();
-    const wanted = [this.picture(this.a), this.picture(this.b), ...maps.map(([, , picture]) => picture)].filter(p => p && !p.complete);
+    const wanted = [this.picture(this.a), this.picture(this.b), ...maps.map(([, , picture]) => picture)].filter(p => p?.decode && !p.complete);
     for (const picture of wanted) picture.decode().then(() => this.draw(), () => {});
   }
 
@@ -132,7 +138,7 @@ class Comparison {
     if (this.map !== 'difference') return found?.[2];
     const key = this.a + '/' + this.b;
     if (this.differenceKey !== key) {
-      this.difference = differenceOf(this.picture(this.a, 'visibility'), this.picture(this.b, 'visibility'));
+      this.difference = differenceOf(this.picture(this.a, 'visibility'), this.picture(this.b, 'visibility'), this.picture(this.a, 'error'));
       this.differenceKey = this.difference ? key : null;
     }
     return this.difference;
@@ -142,14 +148,14 @@ class Comparison {
     if (!this.main) return;
     const a = this.picture(this.a), b = this.picture(this.b), shape = a ?? b;
     const size = shape?.naturalWidth ? { width: shape.naturalWidth, height: shape.naturalHeight } : null;
-    const context = this.main.prepare(size);
+    const context = this.main.prepare(size), shownA = this.shownPicture(this.a), shownB = this.shownPicture(this.b);
     if (context) {
       if (this.mode === 'slider') {
-        this.main.paint(context, a, 0, this.share);
-        this.main.paint(context, b, this.share, 1);
+        this.main.paint(context, shownA, 0, this.share);
+        this.main.paint(context, shownB, this.share, 1);
         this.main.split(context, this.share);
       } else {
-        this.main.paint(context, this.shown ? b : a);
+        this.main.paint(context, this.shown ? shownB : shownA);
       }
       this.main.cross(context, this.probe);
     }
@@ -186,6 +192,7 @@ class Comparison {
       parts.push('A − B: ' + ((values[0][0] - values[1][0]) / 255).toFixed(3).replace('-', '−'));
     const classes = pictureOf(kRecords[this.a], 'classes');
     if (classes) parts.push('class of A: ' + classAt(classes, u, v));
+    else if (this.picture(this.a, 'error') && !isMeasured(colorAt(this.picture(this.a, 'error'), u, v) ?? [0], 0)) parts.push('not measured');
     this.output.textContent = parts.join(' · ');
   }
 

@@ -79,7 +79,8 @@ function startPareto(section) {
     const hits = (a, b) => a[0] < b[2] && a[2] > b[0] && a[1] < b[3] && a[3] > b[1];
     for (const place of [...places].sort((a, b) => b.point.on - a.point.on)) {
       const text = clipped(shortName(place.point.name), 30), width = text.length * 6.6;
-      const options = [[10, 4], [-10 - width, 4], [-width / 2, -11], [-width / 2, 20], [10, -10], [10, 17]];
+      // The front runs to the right of its points and above them.
+      const options = [...(place.point.on ? [[9, -8]] : []), [10, 4], [-10 - width, 4], [-width / 2, -11], [-width / 2, 20], [10, -10], [10, 17]];
       for (const [dx, dy] of options) {
         const rectangle = [place.x + dx, place.y + dy - 11, place.x + dx + width, place.y + dy + 3];
         const inside = rectangle[0] > box.left && rectangle[2] < box.right + 8 && rectangle[1] > box.top - 8 && rectangle[3] < box.bottom;
