@@ -82,9 +82,10 @@ std::string classShares(const RecordGroup& group) {
     std::string html =
         "<details class=\"shares\" open><summary>Errors by class</summary>\n<div class=\"wide\" tabindex=\"0\" "
         "role=\"region\" "
-        "aria-label=\"Errors by class\"><table class=\"sortable\"><caption>Shares of the measured pixels; the longest "
+        "aria-label=\"Errors by class\"><table class=\"sortable\"><caption><span>Shares of the measured pixels; the "
+        "longest "
         "bar is " +
-        percent(most) + ".</caption>\n<thead><tr><th scope=\"col\" class=\"text\" data-kind=\"text\">" +
+        percent(most) + ".</span></caption>\n<thead><tr><th scope=\"col\" class=\"text\" data-kind=\"text\">" +
         "<button type=\"button\">technique</button></th><th scope=\"col\" class=\"text\">classes</th>"
         "<th scope=\"col\" data-kind=\"number\"><button type=\"button\">over</button></th>";
     for (std::size_t c : classes)

@@ -44,11 +44,18 @@ std::vector<double> deviations(const std::vector<Image>& images, const std::vect
     return result;
 }
 
-Image cut(const Image& source, const CropWindow& window) {
+/// What is not measured is grey, as in the error maps: whatever stands there counts for nothing.
+Image cut(const Image& source, const CropWindow& window, const std::vector<bool>& measured) {
     Image result(window.size, window.size, source.planeNames(), source.colorSpace());
+    const bool known = measured.size() == source.pixelCount();
     for (int p = 0; p < source.planeCount(); ++p)
         for (int y = 0; y < window.size; ++y)
-            for (int x = 0; x < window.size; ++x) result.at(p, x, y) = source.at(p, window.x + x, window.y + y);
+            for (int x = 0; x < window.size; ++x) {
+                const int fromX = window.x + x, fromY = window.y + y;
+                const bool counts =
+                    !known || measured[std::size_t(fromY) * std::size_t(source.width()) + std::size_t(fromX)];
+                result.at(p, x, y) = counts ? source.at(p, fromX, fromY) : kMaskedGrey;
+            }
     return result;
 }
 
@@ -78,15 +85,15 @@ std::optional<double> meanDifference(const Image& a, const Image& b, const std::
     return count == 0 ? std::nullopt : std::optional(sum / count);
 }
 
-/// Of the records with a picture of the group's size, the better half, at least two.
-std::vector<Image> betterHalf(const PictureFiles& pictures, const RecordGroup& group) {
+/// Of the records with a picture of the group's size, the better half, at least two; or all of them.
+std::vector<Image> answers(const PictureFiles& pictures, const RecordGroup& group, bool betterHalf) {
     std::vector<const RunRecord*> order;
     for (const RunRecord* r : group.records)
         if (metricOf(*r, "rmse")) order.push_back(r);
     std::stable_sort(order.begin(), order.end(), [](const RunRecord* a, const RunRecord* b) {
         return *metricOf(*a, "rmse") < *metricOf(*b, "rmse");
     });
-    order.resize(std::min(order.size(), std::max<std::size_t>(2, (order.size() + 1) / 2)));
+    if (betterHalf) order.resize(std::min(order.size(), std::max<std::size_t>(2, (order.size() + 1) / 2)));
     std::vector<Image> images;
     for (const RunRecord* r : order) {
         Image image = pictures.decoded(*r, "visibility");
@@ -142,10 +149,13 @@ std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, c
 }
 
 std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, std::size_t& budget) {
-    const std::vector<Image> better = betterHalf(pictures, group);
+    std::vector<Image> images = answers(pictures, group, true);
+    if (images.empty()) return {};
     std::vector<bool> measured = measuredPixels(pictures.decoded(group.first(), "error"));
-    if (better.empty() || measured.size() != better.front().pixelCount()) measured.clear();
-    const std::vector<CropWindow> windows = cropsWhereTheyDiffer(better, measured, kCropCount);
+    if (measured.size() != images.front().pixelCount()) measured.clear();
+    std::vector<CropWindow> windows = cropsWhereTheyDiffer(images, measured, kCropCount);
+    const bool ofBetterHalf = !windows.empty();
+    if (!ofBetterHalf) windows = cropsWhereTheyDiffer(answers(pictures, group, false), measured, kCropCount);
     if (windows.empty()) return {};
     const bool own = hasOwnTruth(group.first());
     std::vector<std::string> rows(windows.size());
@@ -163,9 +173,9 @@ std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, 
                        picture.height() >= windows[w].y + windows[w].size;
             };
             if (i == 0 && !own && fits(truth))
-                add(w, cropFigure(cut(truth, windows[w]), "truth", "Truth within the crop", ""));
+                add(w, cropFigure(cut(truth, windows[w], measured), "truth", "Truth within the crop", ""));
             if (!fits(image)) continue;
-            const Image crop = cut(image, windows[w]);
+            const Image crop = cut(image, windows[w], measured);
             std::string caption = r.pipeline;
             const bool sameSize = truth.width() == image.width() && truth.height() == image.height() &&
                                   (measured.empty() || measured.size() == image.pixelCount());
@@ -177,7 +187,9 @@ std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, 
     if (bytes > budget) return {};
     budget -= bytes;
     std::string html =
-        "<details class=\"crops\" open><summary>Where the better techniques differ most</summary>\n"
+        std::string("<details class=\"crops\" open><summary>Where the ") +
+        (ofBetterHalf ? "better techniques" : "techniques") +
+        " differ most</summary>\n"
         "<p class=\"about\">Visibility, pixel by pixel. The figure is the mean absolute difference from the truth over "
         "the crop's measured pixels.</p>\n";
     for (std::size_t w = 0; w < windows.size(); ++w)

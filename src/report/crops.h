@@ -23,7 +23,8 @@ std::vector<CropWindow> cropsWhereTheyDiffer(const std::vector<Image>& images, c
                                              int count);
 
 /// Of each group, crops of the visibility of every technique and the truth, in the pictures' own pixels.
-/// The windows are those where the better half of the techniques differ: the worse half differs everywhere.
+/// The windows are those where the better half of the techniques differ, as the worse half differs everywhere; where
+/// the better half agrees, those of all.
 /// @param budget  bytes that the crops of the group may take; it is lessened by what they take, and none are made
 ///                where it is too small
 std::string cropFigures(const PictureFiles& pictures, const RecordGroup& group, std::size_t& budget);

@@ -20,7 +20,9 @@ struct Mean {
     int count = 0;
 };
 
-std::map<std::string, Mean> meansOf(const std::vector<RunRecord>& records, const std::string& family) {
+/// Of what was measured most often. @param total  of all pipelines
+std::map<std::string, Mean> meansOf(const std::vector<RunRecord>& records, const std::string& family,
+                                    std::size_t& total) {
     std::map<std::string, Mean> means;
     int most = 0;
     for (const RunRecord& r : records) {
@@ -34,6 +36,7 @@ std::map<std::string, Mean> meansOf(const std::vector<RunRecord>& records, const
         mean.gpu_ms += r.gpu_ms.median;
         most = std::max(most, ++mean.count);
     }
+    total = means.size();
     // One measured on fewer scenes is not compared with those measured on all.
     for (auto mean = means.begin(); mean != means.end();)
         mean = mean->second.count == most ? std::next(mean) : means.erase(mean);
@@ -62,17 +65,18 @@ const Named* nearestBelow(const std::map<std::string, Mean>& means, double limit
 
 /// Which pipeline came nearest to the truth, and two steps down the front of error and cost; "" for none measured.
 std::string answer(const std::vector<RunRecord>& records, const std::string& family, const char* what) {
-    const std::map<std::string, Mean> means = meansOf(records, family);
+    std::size_t total = 0;
+    const std::map<std::string, Mean> means = meansOf(records, family, total);
     const Named* best = nearestBelow(means, INFINITY);
     if (!best) return {};
     const int count = best->second.count;
     const std::string over =
         fmt::format("{}, mean of {} picture{}", figures(best->second), count, count == 1 ? "" : "s");
-    if (means.size() == 1) return fmt::format("{} alone was measured for {} ({})", best->first, what, over);
+    if (total == 1) return fmt::format("{} alone was measured for {} ({})", best->first, what, over);
     std::string text =
-        fmt::format("of {} pipelines for {}, {} came nearest to the truth ({})", means.size(), what, best->first, over);
+        fmt::format("of {} pipelines for {}, {} came nearest to the truth ({})", total, what, best->first, over);
     const Named* cheaper = nearestBelow(means, best->second.gpu_ms);
-    if (!cheaper) return text + ", and none is cheaper";
+    if (!cheaper) return means.size() == 1 ? text : text + ", and none is cheaper";
     text += fmt::format(", among the cheaper ones {} ({})", cheaper->first, figures(cheaper->second));
     if (const Named* next = nearestBelow(means, cheaper->second.gpu_ms))
         text += fmt::format(", then {} ({})", next->first, figures(next->second));

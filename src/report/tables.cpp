@@ -59,7 +59,7 @@ std::string passTable(const RunRecord& r) {
 
 std::string tableStart(const std::string& id, const std::string& caption) {
     return "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table\"><table class=\"sortable\" id=\"" +
-           id + "\"><caption>" + escapeHtml(caption) + "</caption>\n<thead><tr>";
+           id + "\"><caption><span>" + escapeHtml(caption) + "</span></caption>\n<thead><tr>";
 }
 
 std::string heading(const Column& column) {
@@ -105,17 +105,20 @@ std::string recordTable(const RecordGroup& group, std::size_t number) {
                    "underlined; metrics that are 0 for all stand in the details only. GPU times by the clock: " +
                        first.clock + (first.device.software ? ", software" : "") + ".") +
         heading({"technique", "id and parameters that differ from their defaults", false});
+    // Cost stands beside the first measure of error: the two decide, and both are seen without scrolling.
+    const std::string costs = heading({"GPU [ms]", "median GPU time of the frame", true, "cost"}) +
+                              heading({"p95 [ms]", "95th percentile of the GPU time", true, "cost"}) +
+                              heading({"x fastest", "GPU median over the least of this table", true}) +
+                              "<th scope=\"col\" class=\"text\" title=\"GPU time of each frame in order; the line is "
+                              "the median\">frames</th>" +
+                              heading({"bytes", "render targets and buffers of the technique", true, "cost"});
+    if (columns.empty()) html += costs;
     for (const std::string& key : columns) {
         const MetricInfo* info = infoOf(key);
         html += heading({key, info ? info->help : key, true, lowerIsBetter(key) && key != "bias" ? "error" : ""});
+        if (key == columns.front()) html += costs;
     }
-    html += heading({"GPU [ms]", "median GPU time of the frame", true, "cost"}) +
-            heading({"p95 [ms]", "95th percentile of the GPU time", true, "cost"}) +
-            heading({"x fastest", "GPU median over the least of this table", true}) +
-            "<th scope=\"col\" class=\"text\" title=\"GPU time of each frame in order; the line is the "
-            "median\">frames</th>" +
-            heading({"CPU [ms]", "CPU time of the frame", true, "cost"}) +
-            heading({"bytes", "render targets and buffers of the technique", true, "cost"}) +
+    html += heading({"CPU [ms]", "CPU time of the frame", true, "cost"}) +
             heading({"warnings", "what the program has to say of this run", false}) + "</tr></thead>\n<tbody>\n";
     const double fastest_ms = fastestOf(group);
     for (std::size_t i = 0; i < group.records.size(); ++i) {
@@ -123,16 +126,19 @@ std::string recordTable(const RecordGroup& group, std::size_t number) {
         html +=
             fmt::format("<tr id=\"run-{}\" data-record=\"{}\" tabindex=\"-1\">", group.indices[i], group.indices[i]) +
             rowHeading(r->pipeline, true);
+        const std::optional<double> relative =
+            fastest_ms > 0 ? std::optional(r->gpu_ms.median / fastest_ms) : std::nullopt;
+        const std::string cost = cell(r->gpu_ms.median, shortNumber(r->gpu_ms.median)) +
+                                 cell(r->gpu_ms.p95, shortNumber(r->gpu_ms.p95)) +
+                                 cell(relative, relative ? fmt::format("{:.2f}", *relative) : "–") +
+                                 "<td class=\"spark\"></td>" + cell(double(r->gpuBytes), byteText(double(r->gpuBytes)));
+        if (columns.empty()) html += cost;
         for (const std::string& key : columns) {
             const auto value = metricOf(*r, key), best = bestOf(group, key);
             html += cell(value, shortNumber(value), value && best && *value == *best);
+            if (key == columns.front()) html += cost;
         }
-        const std::optional<double> relative =
-            fastest_ms > 0 ? std::optional(r->gpu_ms.median / fastest_ms) : std::nullopt;
-        html += cell(r->gpu_ms.median, shortNumber(r->gpu_ms.median)) +
-                cell(r->gpu_ms.p95, shortNumber(r->gpu_ms.p95)) +
-                cell(relative, relative ? fmt::format("{:.2f}", *relative) : "–") + "<td class=\"spark\"></td>" +
-                cell(r->cpu_ms, shortNumber(r->cpu_ms)) + cell(double(r->gpuBytes), byteText(double(r->gpuBytes)));
+        html += cell(r->cpu_ms, shortNumber(r->cpu_ms));
         html += "<td class=\"text\">" + escapeHtml(join(r->warnings, "; ")) + "</td></tr>\n";
     }
     return html + kTableEnd;
