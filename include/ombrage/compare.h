@@ -73,7 +73,11 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& rend
 /// Forgets the records in a folder, where it has some; pictures stay. @throws Error(Environment), Error(Input)
 void clearResults(const std::filesystem::path& folder);
 
+/// The pictures of a report: shrunk until the file is below 8 MB, or all as they are.
+enum class ReportPictures { Fitting, Full };
+
 /// Makes report.html from a folder that compare() wrote. @throws Error(Input) when there are no records.
-std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output = {});
+std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output = {},
+                                  ReportPictures pictures = ReportPictures::Fitting);
 
 }  // namespace ombrage

@@ -2,6 +2,7 @@
 #include "lab/run_record.h"
 
 #include <ombrage/error.h>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <type_traits>
@@ -97,6 +98,10 @@ std::string RunRecord::toJson() const {
                                   {"triangles", pass.triangles}});
     json["gpu_ms"] = timing(gpu_ms);
     json["gpu_ms"]["clock"] = clock;
+    // A tenth of a microsecond is below what any of the clocks tells.
+    json["gpu_ms"]["samples"] = Json::array();
+    for (const double sample_ms : frames_ms)
+        json["gpu_ms"]["samples"].push_back(std::round(sample_ms * 1e4) / 1e4);
     json["cpu_ms"] = cpu_ms;
     json["gpu_bytes"] = gpuBytes;
     json["counters"] = Json::object();
@@ -136,6 +141,8 @@ RunRecord RunRecord::fromJson(const std::string& text, const std::string& where)
                                 pass.at("draws").get<std::uint64_t>(), pass.at("triangles").get<std::uint64_t>()});
         r.gpu_ms = toTiming(json.at("gpu_ms"));
         r.clock = json.at("gpu_ms").at("clock").get<std::string>();
+        // Folders of earlier versions have none.
+        r.frames_ms = json.at("gpu_ms").value("samples", std::vector<double>());
         r.cpu_ms = json.at("cpu_ms").get<double>();
         r.gpuBytes = json.at("gpu_bytes").get<std::uint64_t>();
         for (const auto& [key, value] : json.at("counters").items()) r.counters[key] = value.get<double>();

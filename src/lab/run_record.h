@@ -53,7 +53,8 @@ struct RunRecord {
     std::optional<Truth> truth;  ///< nothing: the family has no truth yet
     std::vector<Pass> passes;
     Timing gpu_ms;
-    std::string clock;  ///< "timestamp" or "wall"
+    std::vector<double> frames_ms;  ///< GPU time of every frame after the warm-up, in order
+    std::string clock;              ///< "timestamp" or "wall"
     double cpu_ms = 0;
     std::uint64_t gpuBytes = 0;
     std::map<std::string, double> counters;

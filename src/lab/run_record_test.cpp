@@ -43,6 +43,12 @@ TEST(RunRecord, TellsMotionsApart) {
     EXPECT_EQ(RunRecord::fromJson(old.dump(), "test"), sampleRecord());
 }
 
+TEST(RunRecord, ReadsFoldersWithoutSamples) {
+    auto json = nlohmann::ordered_json::parse(sampleRecord().toJson());
+    json["gpu_ms"].erase("samples");
+    EXPECT_TRUE(RunRecord::fromJson(json.dump(), "test").frames_ms.empty());
+}
+
 // The keys are the contract of other programs (design section 8).
 TEST(RunRecord, HasTheKeysOfTheSchema) {
     const auto json = nlohmann::json::parse(sampleRecord().toJson());
@@ -56,6 +62,7 @@ TEST(RunRecord, HasTheKeysOfTheSchema) {
     EXPECT_EQ(json["params"]["tint"], nlohmann::json::array({1, 0.5, 0.25}));
     EXPECT_TRUE(json["metrics"]["acne"].is_null());
     EXPECT_EQ(json["gpu_ms"]["clock"], "wall");
+    EXPECT_EQ(json["gpu_ms"]["samples"], nlohmann::json::array({2.1, 2.0, 2.4}));
     EXPECT_EQ(json["truth"]["spp"], 1024);
     EXPECT_EQ(json["passes"][0]["gpu_ms"]["p95"], 0.9);
 }

@@ -262,6 +262,7 @@ RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings&
     for (const PassCost& pass : result.passes)
         record.passes.push_back({pass.name, timing(pass.gpu_ms), pass.draws, pass.triangles});
     record.gpu_ms = timing(result.gpu_ms);
+    record.frames_ms = result.frames_ms;
     record.cpu_ms = result.cpu_ms;
     record.gpuBytes = result.gpuBytes;
     record.counters = result.counters;

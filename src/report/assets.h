@@ -3,7 +3,8 @@
 
 namespace ombrage {
 
-/// The style sheet and the script of the report: plain text that stands inside <style> and <script>.
+/// The style sheet and the script of the report: plain text that stands inside <style> and <script>. The build makes
+/// them of the files in src/report/assets.
 extern const char* const kReportStyle;
 extern const char* const kReportScript;
 

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "report/previews.h"
 
-#include <ombrage/error.h>
 #include <ombrage/image.h>
 #include <algorithm>
-#include <fstream>
 #include <iterator>
-
-#include "report/html_text.h"
 
 namespace ombrage {
 
@@ -19,9 +15,13 @@ constexpr int kWidths[] = {640, 480, 320, 240, 160};
 const std::vector<std::string> kDispensable = {"flicker", "classes",    "reference", "picture",
                                                "error",   "visibility", "truth"};
 
+int heightFor(const Image& source, int width) {
+    return std::max(1, int((long(source.height()) * width + source.width() / 2) / source.width()));
+}
+
 /// Mean over the source pixels that a smaller pixel covers, edges weighted by their share.
 Image shrink(const Image& source, int width) {
-    const int height = std::max(1, int((long(source.height()) * width + source.width() / 2) / source.width()));
+    const int height = heightFor(source, width);
     Image result(width, height, source.planeNames(), source.colorSpace());
     const double stepX = double(source.width()) / width, stepY = double(source.height()) / height;
     const auto overlap = [](int cell, double from, double to) {
@@ -44,62 +44,41 @@ Image shrink(const Image& source, int width) {
     return result;
 }
 
-std::vector<unsigned char> readBytes(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
+/// The nearest pixel: the mean of two classes' colours could be that of a third.
+Image pick(const Image& source, int width) {
+    const int height = heightFor(source, width);
+    Image result(width, height, source.planeNames(), source.colorSpace());
+    for (int p = 0; p < source.planeCount(); ++p)
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x)
+                result.at(p, x, y) =
+                    source.at(p, int((x + 0.5) * source.width() / width), int((y + 0.5) * source.height() / height));
+    return result;
 }
 
-/// A picture of the folder, kept encoded and decoded.
-struct Source {
-    std::string kind;
-    std::vector<unsigned char> png;
-    Image image;
-};
-
-std::vector<unsigned char> previewPng(const Source& source, int width) {
-    if (source.image.width() <= width) return source.png;
-    // Light is averaged as light; visibility, error and class colours are numbers as they stand.
-    const bool light = source.kind == "picture" || source.kind == "reference";
-    Image image = source.image;
-    if (!light) image.setColorSpace(ColorSpace::Data);
-    return encodePng(shrink(light ? toLinear(std::move(image)) : image, width));
-}
-
-/// Record paths stay inside the folder; anything else is treated as missing.
-bool isInside(const std::filesystem::path& path) {
-    return path.is_relative() && std::none_of(path.begin(), path.end(), [](const auto& part) { return part == ".."; });
+std::vector<unsigned char> previewPng(const PictureFiles::File& file, const std::string& name, int width,
+                                      bool& shrunk) {
+    Image image = decodeImage(file.png, name);
+    if (image.width() <= width) return file.png;
+    shrunk = true;
+    // Light is averaged as light; visibility and errors are numbers as they stand.
+    if (file.kind == "picture" || file.kind == "reference") return encodePng(shrink(toLinear(std::move(image)), width));
+    image.setColorSpace(ColorSpace::Data);
+    return encodePng(file.kind == "classes" ? pick(image, width) : shrink(image, width));
 }
 
 }  // namespace
 
-Previews makePreviews(const std::filesystem::path& folder, const std::vector<RunRecord>& records, std::size_t budget) {
+Previews makePreviews(const PictureFiles& pictures, std::size_t budget) {
     Previews result;
-    std::map<std::string, Source> sources;
-    for (const RunRecord& record : records)
-        for (const auto& [kind, path] : record.images) {
-            if (sources.count(path) != 0) continue;
-            Source source{kind, {}, {}};
-            try {
-                if (isInside(path)) source.png = readBytes(folder / path);
-                if (!source.png.empty()) source.image = decodeImage(source.png, path);
-            } catch (const Error&) {
-                source.png.clear();
-            }
-            if (source.png.empty()) {
-                if (std::find(result.missing.begin(), result.missing.end(), path) == result.missing.end())
-                    result.missing.push_back(path);
-                continue;
-            }
-            sources.emplace(path, std::move(source));
-        }
-
     const auto fits = [&](int width) {
         result.width_px = width;
+        result.shrunk = false;
         result.uris.clear();
         std::size_t size = 0;
-        for (const auto& [path, source] : sources) {
-            if (std::find(result.leftOut.begin(), result.leftOut.end(), source.kind) != result.leftOut.end()) continue;
-            std::string uri = "data:image/png;base64," + base64(previewPng(source, width));
+        for (const auto& [path, file] : pictures.files()) {
+            if (std::find(result.leftOut.begin(), result.leftOut.end(), file.kind) != result.leftOut.end()) continue;
+            std::string uri = pngUri(previewPng(file, path, width, result.shrunk));
             size += uri.size();
             result.uris.emplace(path, std::move(uri));
             if (size > budget) return false;
@@ -113,6 +92,12 @@ Previews makePreviews(const std::filesystem::path& folder, const std::vector<Run
         result.leftOut.push_back(kind);
         if (fits(kWidths[std::size(kWidths) - 1])) break;
     }
+    return result;
+}
+
+Previews fullPreviews(const PictureFiles& pictures) {
+    Previews result;
+    for (const auto& [path, file] : pictures.files()) result.uris.emplace(path, pngUri(file.png));
     return result;
 }
 

@@ -1,24 +1,27 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "lab/run_record.h"
+#include "report/picture_files.h"
 
 namespace ombrage {
 
-/// The pictures of a report as data: URIs, scaled down until all of them together fit.
+/// The pictures of a report as data: URIs.
 struct Previews {
     std::map<std::string, std::string> uris;  ///< path in the record -> "data:image/png;base64,..."
     int width_px = 0;                         ///< no preview is wider
+    bool shrunk = false;                      ///< some preview is smaller than its picture
     std::vector<std::string> leftOut;         ///< kinds that did not fit at the smallest width
-    std::vector<std::string> missing;         ///< paths that could not be read
 };
 
+/// All pictures, scaled down until they fit together.
 /// @param budget  bytes that the URIs may take together
-Previews makePreviews(const std::filesystem::path& folder, const std::vector<RunRecord>& records, std::size_t budget);
+Previews makePreviews(const PictureFiles& pictures, std::size_t budget);
+
+/// All pictures as they are.
+Previews fullPreviews(const PictureFiles& pictures);
 
 }  // namespace ombrage

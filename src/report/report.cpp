@@ -2,31 +2,40 @@
 #include <ombrage/compare.h>
 #include <ombrage/error.h>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "core/whole_file.h"
 #include "lab/run_record.h"
 #include "lab/store.h"
+#include "report/crops.h"
 #include "report/page.h"
+#include "report/record_groups.h"
 
 namespace ombrage {
 
 namespace {
 
 /// A report is to be at most 8 MB; what is left beside the pictures holds the tables and the raw records.
-constexpr std::size_t kPictureBudget = 7'000'000;
+constexpr std::size_t kPictureBudget = 6'500'000;
+/// Of it, what all crops together may take.
+constexpr std::size_t kCropBudget = 1'500'000;
 
 /// What the folder's store holds, or its JSON lines where it has none.
 struct Stored {
-    std::vector<std::string> records, notes;
+    std::vector<std::string> records, notes, benches;
     std::string recordsFile, notesFile;  ///< for messages
 };
 
 Stored readFolder(const std::filesystem::path& folder) {
     if (const auto store = ResultStore::openForReading(folder)) {
         const std::string file = ResultStore::fileIn(folder).string();
-        return {store->records(kCompareKind), store->notes(), file + ": record ", file + ": note "};
+        return {store->records(kCompareKind), store->notes(), store->records(kBenchKind), file + ": record ",
+                file + ": note "};
     }
-    return {readLines(folder / kRecordsFile), readLines(folder / kRunsFile), (folder / kRecordsFile).string() + ":",
+    return {readLines(folder / kRecordsFile),
+            readLines(folder / kRunsFile),
+            {},
+            (folder / kRecordsFile).string() + ":",
             (folder / kRunsFile).string() + ":"};
 }
 
@@ -48,9 +57,10 @@ std::vector<RunRecord> recordsOf(const Stored& stored) {
 
 }  // namespace
 
-std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output) {
+std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output,
+                                  ReportPictures size) {
     ReportData data;
-    const Stored stored = readFolder(folder);
+    Stored stored = readFolder(folder);
     data.records = recordsOf(stored);
     if (data.records.empty())
         throw Error(ErrorCode::Input, "there are no records in '" + folder.string() + "'",
@@ -58,7 +68,18 @@ std::filesystem::path writeReport(const std::filesystem::path& folder, const std
     int line = 0;
     for (const std::string& text : stored.notes)
         data.notes.push_back(RunNote::fromJson(text, stored.notesFile + std::to_string(++line)));
-    data.previews = makePreviews(folder, data.records, kPictureBudget);
+    for (const std::string& group : stored.benches)
+        if (!nlohmann::json::accept(group))
+            throw Error(ErrorCode::Input, "a bench in '" + folder.string() + "' is not JSON", "measure it again");
+    data.benchGroups = std::move(stored.benches);
+
+    const PictureFiles pictures(folder, data.records);
+    data.missingPictures = pictures.missing();
+    std::size_t cropsLeft = kCropBudget;
+    for (const RecordGroup& group : groupRecords(data.records))
+        data.crops.push_back(cropFigures(pictures, group, cropsLeft));
+    data.previews = size == ReportPictures::Full ? fullPreviews(pictures)
+                                                 : makePreviews(pictures, kPictureBudget - (kCropBudget - cropsLeft));
 
     const std::filesystem::path file = output.empty() ? folder / "report.html" : output;
     writeWhole(file, reportPage(data));

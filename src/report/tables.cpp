@@ -5,7 +5,6 @@
 #include <ombrage/metrics.h>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/strings.h"
 #include "report/html_text.h"
@@ -14,21 +13,67 @@ namespace ombrage {
 
 namespace {
 
-std::optional<double> metric(const RunRecord& r, const std::string& key) {
-    const auto found = r.metrics.find(key);
-    return found == r.metrics.end() ? std::nullopt : found->second;
-}
-
 const MetricInfo* infoOf(const std::string& key) {
     for (const MetricInfo& info : metricInfos())
         if (info.key == key) return &info;
     return nullptr;
 }
 
-std::string heading(const std::string& text, const std::string& title, bool number) {
-    return "<th scope=\"col\" data-kind=\"" + std::string(number ? "number" : "text") + "\"" +
-           (number ? "" : " class=\"text\"") + "><button type=\"button\" title=\"" + escapeHtml(title) + "\">" +
-           escapeHtml(text) + "</button></th>";
+bool lowerIsBetter(const std::string& key) {
+    const MetricInfo* info = infoOf(key);
+    return !info || info->lowerIsBetter;
+}
+
+/// The best value of a column, where values differ. Bias is best nearest to 0.
+std::optional<double> bestOf(const RecordGroup& group, const std::string& key) {
+    std::optional<double> best;
+    bool differ = false;
+    for (const RunRecord* r : group.records) {
+        const auto value = metricOf(*r, key);
+        if (!value) continue;
+        differ = differ || (best && *value != *best);
+        const auto rank = [&](double v) { return key == "bias" ? std::fabs(v) : lowerIsBetter(key) ? v : -v; };
+        if (!best || rank(*value) < rank(*best)) best = value;
+    }
+    return differ ? best : std::nullopt;
+}
+
+double fastestOf(const RecordGroup& group) {
+    double fastest_ms = INFINITY;
+    for (const RunRecord* r : group.records) fastest_ms = std::min(fastest_ms, r->gpu_ms.median);
+    return fastest_ms;
+}
+
+std::string passTable(const RunRecord& r) {
+    std::string html =
+        "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Passes\"><table><thead><tr>"
+        "<th scope=\"col\">pass</th><th scope=\"col\">GPU median [ms]</th><th scope=\"col\">p95 [ms]</th>"
+        "<th scope=\"col\">draws</th><th scope=\"col\">triangles</th></tr></thead><tbody>\n";
+    for (const RunRecord::Pass& pass : r.passes)
+        html += fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escapeHtml(pass.name),
+                            shortNumber(pass.gpu_ms.median), shortNumber(pass.gpu_ms.p95), pass.draws, pass.triangles);
+    return html + kTableEnd;
+}
+
+}  // namespace
+
+std::string tableStart(const std::string& id, const std::string& caption) {
+    return "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"Table\"><table class=\"sortable\" id=\"" +
+           id + "\"><caption><span>" + escapeHtml(caption) + "</span></caption>\n<thead><tr>";
+}
+
+std::string heading(const Column& column) {
+    return "<th scope=\"col\" data-kind=\"" + std::string(column.number ? "number\"" : "text\" class=\"text\"") +
+           (column.role.empty() ? "" : " data-role=\"" + column.role + "\"") + "><button type=\"button\" title=\"" +
+           escapeHtml(column.title) + "\">" + escapeHtml(column.text) + "</button></th>";
+}
+
+std::string rowHeading(const std::string& pipeline, bool pick) {
+    const std::string name = "<code>" + escapeHtml(pipeline) + "</code>";
+    return "<th scope=\"row\" class=\"text\" data-v=\"" + escapeHtml(pipeline) + "\">" +
+           (pick ? "<button type=\"button\" class=\"pick\" title=\"Show in the comparison\">" + name + "</button>"
+                 : name) +
+           "<span class=\"mark\"></span></th>";
 }
 
 std::string cell(const std::optional<double>& value, const std::string& shown, bool best) {
@@ -37,70 +82,75 @@ std::string cell(const std::optional<double>& value, const std::string& shown, b
            ">" + escapeHtml(shown) + "</td>";
 }
 
-/// The best value of a column, where there is more than one to choose from. Bias is best nearest to 0.
-std::optional<double> bestOf(const std::vector<const RunRecord*>& group, const std::string& key, bool lowerIsBetter) {
-    std::optional<double> best;
-    int count = 0;
-    for (const RunRecord* r : group) {
-        const auto value = metric(*r, key);
-        if (!value) continue;
-        ++count;
-        const auto rank = [&](double v) { return key == "bias" ? std::fabs(v) : lowerIsBetter ? v : -v; };
-        if (!best || rank(*value) < rank(*best)) best = value;
-    }
-    return count > 1 ? best : std::nullopt;
+std::vector<std::string> metricColumns(const RecordGroup& group) {
+    // Classes of errors have a table of their own.
+    static const std::vector<std::string> shadow{"rmse", "wrong",     "wrong_domain", "bias",    "over",
+                                                 "flip", "leak_mass", "noise",        "flicker", "edge_px"};
+    static const std::vector<std::string> other{"rmse", "bias", "psnr", "gain_db", "ssim", "noise", "flicker", "flip"};
+    if (!group.first().motion.empty()) return {"flicker_mean", "flicker_p99", "flicker_patch", "lag"};
+    std::vector<std::string> columns;
+    for (const std::string& key : group.first().family == "shadow" ? shadow : other)
+        if (std::any_of(group.records.begin(), group.records.end(), [&](const RunRecord* r) {
+                return key == "rmse" ? metricOf(*r, key).has_value() : metricOf(*r, key).value_or(0) != 0;
+            }))
+            columns.push_back(key);
+    return columns;
 }
 
-}  // namespace
-
-const std::vector<std::string>& metricColumns(const RunRecord& record) {
-    static const std::vector<std::string> shadow{"wrong",       "wrong_domain", "rmse",     "bias", "over",  "alias",
-                                                 "contact_gap", "acne",         "penumbra", "leak", "noise", "flip"};
-    static const std::vector<std::string> ao{"rmse", "bias", "psnr", "gain_db", "ssim"};
-    static const std::vector<std::string> motion{"flicker_mean", "flicker_p99", "flicker_patch", "lag"};
-    static const std::vector<std::string> nothing;
-    if (!record.motion.empty()) return motion;
-    return record.family == "shadow" ? shadow : record.family == "ao" ? ao : nothing;
-}
-
-std::string recordTable(const std::vector<const RunRecord*>& group) {
-    const RunRecord& first = *group.front();
-    const std::vector<std::string>& columns = metricColumns(first);
-    const std::string clock = first.clock + (first.device.software ? ", software" : "");
+std::string recordTable(const RecordGroup& group, std::size_t number) {
+    const RunRecord& first = group.first();
+    const std::vector<std::string> columns = metricColumns(group);
     std::string html =
-        "<div class=\"wide\"><table class=\"sortable\"><caption>Headings sort. The best value of a column is "
-        "underlined. "
-        "GPU times by the clock: " +
-        escapeHtml(clock) + ".</caption>\n<thead><tr>" +
-        heading("technique", "id and parameters that differ from their defaults", false);
+        tableStart(fmt::format("table-{}", number),
+                   "Headings sort, a technique's name shows it in the comparison. The best value of a column is "
+                   "underlined; metrics that are 0 for all stand in the details only. GPU times by the clock: " +
+                       first.clock + (first.device.software ? ", software" : "") + ".") +
+        heading({"technique", "id and parameters that differ from their defaults", false});
+    // Cost stands beside the first measure of error: the two decide, and both are seen without scrolling.
+    const std::string costs = heading({"GPU [ms]", "median GPU time of the frame", true, "cost"}) +
+                              heading({"p95 [ms]", "95th percentile of the GPU time", true, "cost"}) +
+                              heading({"x fastest", "GPU median over the least of this table", true}) +
+                              "<th scope=\"col\" class=\"text\" title=\"GPU time of each frame in order; the line is "
+                              "the median\">frames</th>" +
+                              heading({"bytes", "render targets and buffers of the technique", true, "cost"});
+    if (columns.empty()) html += costs;
     for (const std::string& key : columns) {
         const MetricInfo* info = infoOf(key);
-        html += heading(key, info ? info->help : key, true);
+        html += heading({key, info ? info->help : key, true, lowerIsBetter(key) && key != "bias" ? "error" : ""});
+        if (key == columns.front()) html += costs;
     }
-    html += heading("GPU median [ms]", "median GPU time of the frame", true) +
-            heading("GPU p95 [ms]", "95th percentile", true) + heading("CPU [ms]", "CPU time of the frame", true) +
-            heading("bytes", "render targets and buffers of the technique", true) +
-            heading("warnings", "what the program has to say of this run", false) + "</tr></thead>\n<tbody>\n";
-    for (const RunRecord* r : group) {
-        html += "<tr><td data-v=\"" + escapeHtml(r->pipeline) + "\"><code>" + escapeHtml(r->pipeline) + "</code></td>";
+    html += heading({"CPU [ms]", "CPU time of the frame", true, "cost"}) +
+            heading({"warnings", "what the program has to say of this run", false}) + "</tr></thead>\n<tbody>\n";
+    const double fastest_ms = fastestOf(group);
+    for (std::size_t i = 0; i < group.records.size(); ++i) {
+        const RunRecord* r = group.records[i];
+        html +=
+            fmt::format("<tr id=\"run-{}\" data-record=\"{}\" tabindex=\"-1\">", group.indices[i], group.indices[i]) +
+            rowHeading(r->pipeline, true);
+        const std::optional<double> relative =
+            fastest_ms > 0 ? std::optional(r->gpu_ms.median / fastest_ms) : std::nullopt;
+        const std::string cost = cell(r->gpu_ms.median, shortNumber(r->gpu_ms.median)) +
+                                 cell(r->gpu_ms.p95, shortNumber(r->gpu_ms.p95)) +
+                                 cell(relative, relative ? fmt::format("{:.2f}", *relative) : "–") +
+                                 "<td class=\"spark\"></td>" + cell(double(r->gpuBytes), byteText(double(r->gpuBytes)));
+        if (columns.empty()) html += cost;
         for (const std::string& key : columns) {
-            const MetricInfo* info = infoOf(key);
-            const auto value = metric(*r, key), best = bestOf(group, key, !info || info->lowerIsBetter);
+            const auto value = metricOf(*r, key), best = bestOf(group, key);
             html += cell(value, shortNumber(value), value && best && *value == *best);
+            if (key == columns.front()) html += cost;
         }
-        html += cell(r->gpu_ms.median, shortNumber(r->gpu_ms.median), false) +
-                cell(r->gpu_ms.p95, shortNumber(r->gpu_ms.p95), false) +
-                cell(r->cpu_ms, shortNumber(r->cpu_ms), false) +
-                cell(double(r->gpuBytes), byteText(double(r->gpuBytes)), false);
+        html += cell(r->cpu_ms, shortNumber(r->cpu_ms));
         html += "<td class=\"text\">" + escapeHtml(join(r->warnings, "; ")) + "</td></tr>\n";
     }
-    return html + "</tbody></table></div>\n";
+    return html + kTableEnd;
 }
 
-std::string recordDetails(const std::vector<const RunRecord*>& group) {
-    std::string html = "<details><summary>All metrics, passes and parameters</summary>\n";
-    for (const RunRecord* r : group) {
-        html += "<h3><code>" + escapeHtml(r->pipeline) + "</code></h3>\n";
+std::string recordDetails(const RecordGroup& group, const std::vector<RunNote>& notes) {
+    std::string html = "<details class=\"runs\"><summary>All metrics, passes, parameters and commands</summary>\n";
+    for (const RunRecord* r : group.records) {
+        html += "<h3><code>" + escapeHtml(r->pipeline) + "</code></h3>\n<p class=\"command\"><code>" +
+                escapeHtml(commandFor(*r, notes)) +
+                "</code> <button type=\"button\" class=\"copy\">Copy</button></p>\n";
         std::vector<std::string> metrics, params, counters;
         for (const auto& [key, value] : r->metrics) metrics.push_back(key + " " + shortNumber(value));
         for (const auto& [key, value] : r->params) params.push_back(key + "=" + toString(value));
@@ -108,16 +158,7 @@ std::string recordDetails(const std::vector<const RunRecord*>& group) {
         if (!metrics.empty()) html += "<p>" + escapeHtml(join(metrics, ", ")) + "</p>\n";
         if (!params.empty()) html += "<p class=\"params\">" + escapeHtml(join(params, ", ")) + "</p>\n";
         if (!counters.empty()) html += "<p class=\"params\">" + escapeHtml(join(counters, ", ")) + "</p>\n";
-        if (r->passes.empty()) continue;
-        html +=
-            "<table><thead><tr><th scope=\"col\">pass</th><th scope=\"col\">GPU median [ms]</th><th scope=\"col\">p95 "
-            "[ms]</th>"
-            "<th scope=\"col\">draws</th><th scope=\"col\">triangles</th></tr></thead><tbody>\n";
-        for (const RunRecord::Pass& pass : r->passes)
-            html +=
-                fmt::format("<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n", escapeHtml(pass.name),
-                            shortNumber(pass.gpu_ms.median), shortNumber(pass.gpu_ms.p95), pass.draws, pass.triangles);
-        html += "</tbody></table>\n";
+        if (!r->passes.empty()) html += passTable(*r);
     }
     return html + "</details>\n";
 }
