@@ -177,7 +177,30 @@ private:
         }
         std::vector<Outcome> outcomes;
         for (const Candidate& candidate : held) outcomes.push_back(candidate.outcome);
-        m_result.winner = candidates[tuning::decide(outcomes, m_goal)];
+        const std::size_t best = tuning::decide(outcomes, m_goal);
+        m_result.winner = candidates[best];
+        if (best != 0) simplify(held[best], m_seen[finalists[best]].outcome);
+    }
+
+    /// Puts back, one after another, what the search has changed and what changes nothing for the worse: a bias that
+    /// the mode does not use is no part of the answer.
+    void simplify(Candidate held, Outcome searched) {
+        const tuning::Point start = m_space.start();
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            if (held.point[i] == start[i]) continue;
+            tuning::Point tried = held.point;
+            tried[i] = start[i];
+            const TuneFigures onSearched = figuresOf(tried, false);
+            const Outcome searchedNow = outcomeOf(onSearched);
+            if (m_goal.isBetter(searched, searchedNow)) continue;
+            const TuneFigures onHeld = figuresOf(tried, true);
+            Outcome heldNow = outcomeOf(onHeld);
+            heldNow.cost = std::max(heldNow.cost, searchedNow.cost);
+            if (m_goal.isBetter(held.outcome, heldNow)) continue;
+            held = {tried, heldNow};
+            searched = searchedNow;
+            m_result.winner = {toString(m_space.at(tried)), onSearched, onHeld, m_goal.isMetBy(heldNow)};
+        }
     }
 
     const TuneRequest& m_request;

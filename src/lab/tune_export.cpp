@@ -67,7 +67,9 @@ Json powerOfTwo(double resolution, const std::string& who) {
 /// https://threejs.org/docs/pages/LightShadow.html: bias is added to the depth in [0,1], normalBias is in world units.
 Json threeShadow(const MapValues& values, const LightScale& light) {
     Json json;
-    if (values.resolution) json["shadow.mapSize"] = exact(Json::array({*values.resolution, *values.resolution}));
+    if (values.resolution)
+        json["shadow.mapSize"] =
+            exact(Json::array({std::int64_t(*values.resolution), std::int64_t(*values.resolution)}));
     if (light.width_m)
         json["shadow.camera"] = exact({{"left", -*light.width_m / 2},
                                        {"right", *light.width_m / 2},

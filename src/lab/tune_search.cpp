@@ -102,8 +102,8 @@ private:
     /// A Latin hypercube: each part of each range is visited once, each choice as often as any other.
     void cover() {
         const std::size_t dims = m_problem.dimensions.size();
-        const int wanted = std::min(int(8 + 2 * dims), m_problem.evaluations / 4);
-        const std::size_t count = std::size_t(std::max(wanted, 0));
+        // How many there are does not depend on the evaluations allowed: a longer search goes the way of a shorter one.
+        const std::size_t count = 8 + 2 * dims;
         std::vector<Point> points(count, Point(dims));
         for (std::size_t d = 0; d < dims; ++d) {
             const Dimension& dimension = m_problem.dimensions[d];
