@@ -4,11 +4,13 @@
 #include <ombrage/error.h>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/strings.h"
 #include "core/whole_file.h"
 #include "lab/tune_measure.h"
 #include "lab/tune_space.h"
+#include "lab/tune_steps.h"
 
 namespace ombrage {
 
@@ -152,9 +154,9 @@ private:
     void holdOut() {
         const bool isFront = m_request.pareto;
         std::vector<std::size_t> finalists{0};
-        for (const std::size_t i :
-             tuning::bestOf(m_seen, m_goal, isFront ? kMostOfFront : std::size_t(m_request.finalists) + 1))
-            if (i != 0 && (isFront || finalists.size() <= std::size_t(m_request.finalists))) finalists.push_back(i);
+        const std::size_t most = isFront ? kMostOfFront : std::size_t(m_request.finalists);
+        for (const std::size_t i : tuning::bestOf(m_seen, m_goal, isFront ? most : m_seen.size()))
+            if (finalists.size() <= most && (isFront ? i != 0 : isApart(i, finalists))) finalists.push_back(i);
         std::vector<Candidate> held;
         std::vector<TuneCandidate> candidates;
         for (const std::size_t i : finalists) {
@@ -180,6 +182,22 @@ private:
         const std::size_t best = tuning::decide(outcomes, m_goal);
         m_result.winner = candidates[best];
         if (best != 0) simplify(held[best], m_seen[finalists[best]].outcome);
+    }
+
+    /// Whether a candidate differs from all of the others in a choice or by a tenth of a range: the best few of a
+    /// search lie close together, and what one of them has learnt by heart they all have.
+    bool isApart(std::size_t candidate, const std::vector<std::size_t>& others) const {
+        return std::all_of(others.begin(), others.end(), [&](std::size_t other) {
+            for (std::size_t d = 0; d < m_space.dimensions().size(); ++d) {
+                const tuning::Dimension& dimension = m_space.dimensions()[d];
+                const double a = m_seen[candidate].point[d], b = m_seen[other].point[d];
+                if (dimension.kind == tuning::Dimension::Kind::Choice
+                        ? a != b
+                        : std::abs(placeOf(dimension, a) - placeOf(dimension, b)) >= 0.1)
+                    return true;
+            }
+            return false;
+        });
     }
 
     /// Puts back, one after another, what the search has changed and what changes nothing for the worse: a bias that
