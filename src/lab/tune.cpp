@@ -8,6 +8,7 @@
 
 #include "core/strings.h"
 #include "core/whole_file.h"
+#include "lab/statistics.h"
 #include "lab/tune_measure.h"
 #include "lab/tune_space.h"
 #include "lab/tune_steps.h"
@@ -181,7 +182,7 @@ private:
         for (const Candidate& candidate : held) outcomes.push_back(candidate.outcome);
         const std::size_t best = tuning::decide(outcomes, m_goal);
         m_result.winner = candidates[best];
-        if (best != 0) simplify(held[best], m_seen[finalists[best]].outcome);
+        if (best != 0) simplify(held[best], m_seen[finalists[best]].outcome, held.front().outcome);
     }
 
     /// Whether a candidate differs from all of the others in a choice or by a tenth of a range: the best few of a
@@ -201,22 +202,30 @@ private:
     }
 
     /// Puts back, one after another, what the search has changed and what changes nothing for the worse: a bias that
-    /// the mode does not use is no part of the answer.
-    void simplify(Candidate held, Outcome searched) {
+    /// the mode does not use is no part of the answer. Times that differ by less than counts as a difference are as
+    /// good.
+    void simplify(const Candidate& winner, const Outcome& searched, const Outcome& startHeld) {
+        const double slack =
+            m_goal.kind == Goal::Kind::LeastCost && m_request.cost == TuneCost::Time ? 1 - kLeastDifference : 1;
+        const auto isWorse = [&](Outcome now, const Outcome& before) {
+            if (!m_goal.isMetBy(now) && m_goal.isMetBy(before)) return true;
+            now.cost *= slack;
+            return m_goal.isBetter(before, now);
+        };
         const tuning::Point start = m_space.start();
+        tuning::Point point = winner.point;
         for (std::size_t i = 0; i < start.size(); ++i) {
-            if (held.point[i] == start[i]) continue;
-            tuning::Point tried = held.point;
+            if (point[i] == start[i]) continue;
+            tuning::Point tried = point;
             tried[i] = start[i];
             const TuneFigures onSearched = figuresOf(tried, false);
             const Outcome searchedNow = outcomeOf(onSearched);
-            if (m_goal.isBetter(searched, searchedNow)) continue;
+            if (isWorse(searchedNow, searched)) continue;
             const TuneFigures onHeld = figuresOf(tried, true);
             Outcome heldNow = outcomeOf(onHeld);
             heldNow.cost = std::max(heldNow.cost, searchedNow.cost);
-            if (m_goal.isBetter(held.outcome, heldNow)) continue;
-            held = {tried, heldNow};
-            searched = searchedNow;
+            if (isWorse(heldNow, winner.outcome) || !m_goal.isBetter(heldNow, startHeld)) continue;
+            point = tried;
             m_result.winner = {toString(m_space.at(tried)), onSearched, onHeld, m_goal.isMetBy(heldNow)};
         }
     }

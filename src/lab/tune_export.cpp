@@ -124,7 +124,7 @@ Json filamentShadow(const MapValues& values, const LightScale& light) {
     return json;
 }
 
-Json glShadow(const MapValues& values, const LightScale& light) {
+Json plainShadow(const MapValues& values, const LightScale& light) {
     Json json;
     if (values.resolution) json["map size"] = exact(std::int64_t(*values.resolution));
     if (values.constantBias_texels && light.texel_m) {
@@ -178,7 +178,7 @@ std::string exportText(const std::string& engine, Family family, const Pipeline&
             Json of = engine == "threejs"    ? threeShadow(values, light)
                       : engine == "godot"    ? godotShadow(values, light)
                       : engine == "filament" ? filamentShadow(values, light)
-                                             : glShadow(values, light);
+                                             : plainShadow(values, light);
             json["lights"].push_back({{"scene", light.scene}, {"light", light.light}, {"settings", std::move(of)}});
         }
         if (values.resolution) used.insert("resolution");

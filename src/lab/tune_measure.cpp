@@ -125,18 +125,27 @@ RenderSettings Measurer::settingsOf(const CaseUnit& unit, const Pipeline& pipeli
     return settings;
 }
 
+std::optional<std::string> Measurer::find(const ResultKey& key) const {
+    return m_request.again && !m_fresh.count(key.text()) ? std::nullopt : m_store->find(key);
+}
+
+void Measurer::put(const ResultKey& key, const std::string& record) {
+    m_store->put(key, record, {});
+    m_fresh.insert(key.text());
+}
+
 RunRecord Measurer::recordOf(CaseUnit& unit, const Pipeline& pipeline) {
     PlannedRun planned = unit.planned;
     planned.pipeline = pipeline;
     ResultKey key(kTuneKind);
     key.add("of", unit.keys->record(planned, planned.truths.front()).text()).add("metric", m_request.metric);
-    if (const auto found = m_request.again ? std::nullopt : m_store->find(key)) {
+    if (const auto found = find(key)) {
         ++m_reused;
         return RunRecord::fromJson(*found, ResultStore::fileIn(m_request.outputDir).string());
     }
     rendererOf(unit);
     RunRecord record = unit.runner->run(planned).front();
-    m_store->put(key, record.toJson(), {});
+    put(key, record.toJson());
     ++m_measured;
     return record;
 }
@@ -147,7 +156,7 @@ Measurer::Times Measurer::timesOf(CaseUnit& unit, const Pipeline& pipeline) {
     ResultKey key("tune-time");
     key.add("of", unit.keys->record(planned, std::nullopt).text()).add("start", toString(m_request.technique.second));
     key.add("rounds", kRounds).add("frames", kFramesPerRound).add("clock", m_device.clock);
-    if (const auto found = m_request.again ? std::nullopt : m_store->find(key)) {
+    if (const auto found = find(key)) {
         const auto json = nlohmann::json::parse(*found);
         return {json["ratio"].get<double>(), json["time_ms"].get<double>()};
     }
@@ -171,7 +180,7 @@ Measurer::Times Measurer::timesOf(CaseUnit& unit, const Pipeline& pipeline) {
                               .change;
         times.time_ms = known.time_ms * times.ratio;
     }
-    m_store->put(key, nlohmann::json{{"ratio", times.ratio}, {"time_ms", times.time_ms}}.dump(), {});
+    put(key, nlohmann::json{{"ratio", times.ratio}, {"time_ms", times.time_ms}}.dump());
     return times;
 }
 

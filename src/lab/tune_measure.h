@@ -5,6 +5,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,9 @@ private:
 
     void addCases(SceneUnit& scene);
     Renderer& rendererOf(CaseUnit& unit);
+    /// Of the store: with `again` only what this search has put there.
+    std::optional<std::string> find(const ResultKey& key) const;
+    void put(const ResultKey& key, const std::string& record);
     RunRecord recordOf(CaseUnit& unit, const Pipeline& pipeline);
     Times timesOf(CaseUnit& unit, const Pipeline& pipeline);
     RenderSettings settingsOf(const CaseUnit& unit, const Pipeline& pipeline) const;
@@ -73,6 +77,7 @@ private:
     DeviceInfo m_device;
     std::string m_program;
     std::optional<ResultStore> m_store;
+    std::set<std::string> m_fresh;
     std::size_t m_measured = 0, m_reused = 0;
 };
 
