@@ -127,23 +127,23 @@ private:
                     (!from || meritOf(candidate.outcome) < meritOf(from->outcome)))
                     from = &candidate;
             if (!from) return;
-            descend(within(from->point));
+            descend(from->point);
         }
     }
 
-    /// The start may lie outside of the ranges; the search may not.
-    Point within(Point point) const {
-        for (std::size_t i = 0; i < point.size(); ++i) {
-            const Dimension& d = m_problem.dimensions[i];
-            if (d.kind != Dimension::Kind::Choice) point[i] = std::clamp(point[i], d.minimum, d.maximum);
-        }
-        return point;
+    /// A value outside of its range, which the start alone may have. It can mean something of its own, 0 for "as the
+    /// scene says": a descent from there leaves it as it is.
+    bool isOutside(const Point& point, std::size_t i) const {
+        const Dimension& d = m_problem.dimensions[i];
+        return d.kind != Dimension::Kind::Choice && (point[i] < d.minimum || point[i] > d.maximum);
     }
 
+    /// What descents differ in: the choices, and which values stay outside.
     std::vector<double> choicesOf(const Point& point) const {
         std::vector<double> choices;
         for (const std::size_t i : m_discrete)
             if (m_problem.dimensions[i].kind == Dimension::Kind::Choice) choices.push_back(point[i]);
+        for (std::size_t i = 0; i < point.size(); ++i) choices.push_back(isOutside(point, i));
         return choices;
     }
 
@@ -165,6 +165,7 @@ private:
         std::vector<std::size_t> order = m_discrete;
         m_random.shuffle(order);
         for (const std::size_t i : order) {
+            if (isOutside(best, i)) continue;
             const Dimension& d = m_problem.dimensions[i];
             const double here = best[i];
             std::vector<double> values;
@@ -202,6 +203,7 @@ private:
     struct Call {
         Search* search = nullptr;
         nlopt_opt optimizer = nullptr;
+        std::vector<std::size_t> reals;
         Point point, best;
         double merit = 0;
         std::exception_ptr stopped;
@@ -212,7 +214,7 @@ private:
         Search& search = *call.search;
         if (call.stopped) return kNowhere;
         for (unsigned i = 0; i < count; ++i) {
-            const std::size_t dimension = search.m_reals[i];
+            const std::size_t dimension = call.reals[i];
             call.point[dimension] = valueAt(search.m_problem.dimensions[dimension], places[i]);
         }
         // C code must not see an exception.
@@ -234,13 +236,16 @@ private:
     /// 2009), which is quick where the error is smooth, or by simplices in subspaces (Subplex, Rowan 1990), which need
     /// nothing.
     void moveReals(Point& best, double& merit, double step, bool byModel, int calls) {
-        if (m_reals.empty()) return;
-        const unsigned count = unsigned(m_reals.size());
+        std::vector<std::size_t> reals;
+        for (const std::size_t i : m_reals)
+            if (!isOutside(best, i)) reals.push_back(i);
+        if (reals.empty()) return;
+        const unsigned count = unsigned(reals.size());
         const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> optimizer(
             nlopt_create(byModel && count > 1 ? NLOPT_LN_BOBYQA : NLOPT_LN_SBPLX, count), nlopt_destroy);
-        Call call{this, optimizer.get(), best, best, merit, nullptr};
+        Call call{this, optimizer.get(), reals, best, best, merit, nullptr};
         std::vector<double> places;
-        for (const std::size_t i : m_reals) places.push_back(placeOf(m_problem.dimensions[i], best[i]));
+        for (const std::size_t i : reals) places.push_back(placeOf(m_problem.dimensions[i], best[i]));
         nlopt_set_min_objective(optimizer.get(), measure, &call);
         nlopt_set_lower_bounds1(optimizer.get(), 0);
         nlopt_set_upper_bounds1(optimizer.get(), 1);

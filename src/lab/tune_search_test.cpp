@@ -161,6 +161,18 @@ TEST(TuneSearch, TheStartComesFirstAndIsOnlyLeftForSomethingBetter) {
     EXPECT_EQ(best(found(problem)).point, problem.start);
 }
 
+TEST(TuneSearch, AValueOutsideOfItsRangeThatMeansSomethingOfItsOwnIsKeptWhileTheOthersMove) {
+    // 0 stands for a value that the range does not reach; the other parameter has its best place in either case.
+    SearchProblem problem;
+    problem.dimensions = {real(0.05, 2), real(0, 1)};
+    problem.start = {0, 1};
+    problem.evaluations = 200;
+    problem.evaluate = [](const Point& x) { return Outcome{(x[0] == 0 ? 0.1 : 0.3) + squareOf(x[1] - 0.4), 1}; };
+    const Candidate winner = best(found(problem));
+    EXPECT_EQ(winner.point[0], 0);
+    EXPECT_NEAR(winner.point[1], 0.4, 0.05);
+}
+
 TEST(TuneSearch, EverySearchedPointLiesInTheRangesAndIsMeasuredOnce) {
     SearchProblem problem = Planted::problem();
     std::set<Point> measured;
