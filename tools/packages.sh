@@ -2,7 +2,7 @@
 # Sourced by ./demo and ./check: installs the Debian packages that are missing. Sets nothing but functions.
 
 OMBRAGE_BUILD_PACKAGES="g++ cmake ninja-build pkg-config libegl1 libegl-dev libopengl0 libgl1-mesa-dri libepoxy-dev libglm-dev libassimp-dev \
-libembree-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev libopenexr-dev libxxhash-dev libsqlite3-dev libgtest-dev"
+ libembree-dev libtbb-dev nlohmann-json3-dev libcli11-dev libfmt-dev libstb-dev libopenexr-dev libxxhash-dev libsqlite3-dev libnlopt-dev libgtest-dev"
 OMBRAGE_TEST_PACKAGES="chromium python3 ccache locales"
 
 # ombrage_install PACKAGE...: does nothing when all are there; exit 4 when they cannot be installed.

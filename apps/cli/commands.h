@@ -29,6 +29,7 @@ Command compareCommand();
 Command diffCommand();
 Command reportCommand();
 Command benchCommand();
+Command tuneCommand();
 Command demoCommand();
 
 /// Results go to standard output through this. @throws Error(Environment) when it cannot be written.

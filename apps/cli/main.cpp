@@ -44,9 +44,9 @@ int runCommandLine(const std::vector<std::string>& arguments) {
         "4 environment (no OpenGL 4.5, disk full), 130 interrupted.\n\n"
         "Examples:\n  ombrage demo\n  ombrage list scenes\n  ombrage compare gap sphere --all shadow -o out\n");
 
-    const std::vector<Command> commands{renderCommand(), compareCommand(), benchCommand(), referenceCommand(),
-                                        diffCommand(),   reportCommand(),  infoCommand(),  listCommand(),
-                                        doctorCommand(), demoCommand()};
+    const std::vector<Command> commands{renderCommand(),    compareCommand(), benchCommand(),  tuneCommand(),
+                                        referenceCommand(), diffCommand(),    reportCommand(), infoCommand(),
+                                        listCommand(),      doctorCommand(),  demoCommand()};
     std::vector<std::string> names;
     std::vector<CLI::App*> apps;
     std::vector<std::unique_ptr<Options>> options;

@@ -66,6 +66,7 @@ std::string SceneRunner::truthName(int light, TruthKind kind, const std::string&
 }
 
 std::string SceneRunner::save(const std::string& name, const std::string& kind, const Image& image) const {
+    if (m_only) return {};
     const std::string path = "images/" + name + "-" + kind + ".png";
     writeWhole(m_request.outputDir / path, [&](const std::filesystem::path& part) { writeImage(part, image); });
     return path;
@@ -111,11 +112,11 @@ SceneRunner::ShadowCase& SceneRunner::shadowCase(int light, TruthKind kind) {
         made.truth = m_reference->shadow(seen, camera, light, options);
         made.features = m_reference->shadowFeatures(seen, light, options);
         settings.givenVisibility[light] = greyPicture(made.truth.visibility, made.truth.width, made.truth.height);
-        made.picture = displayed(m_renderer.render(settings).picture);
+        if (wants("flip")) made.picture = displayed(m_renderer.render(settings).picture);
     }
     const std::string name = truthName(light, kind, "");
     made.truthPath = save(name, "truth", greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
-    made.picturePath = save(name, "truth-picture", made.picture);
+    if (wants("flip")) made.picturePath = save(name, "truth-picture", made.picture);
     m_shadow = std::move(made);
     return *m_shadow;
 }
@@ -166,10 +167,11 @@ void SceneRunner::measureShadowRun(const Measured& run, RunRecord& record) {
     question.features = known.features ? &*known.features : nullptr;
     const ShadowMeasurement measurement = measureShadow(measured, truth, receivers(), question);
     record.metrics = measurement.metrics;
-    record.metrics["noise"] =
-        measureNoise(run, truth.mask, [&](const RenderResult& result) { return result.visibility.at(light).plane(0); });
+    if (wants("noise"))
+        record.metrics["noise"] = measureNoise(
+            run, truth.mask, [&](const RenderResult& result) { return result.visibility.at(light).plane(0); });
     const Image picture = displayed(run.result.picture);
-    record.metrics["flip"] = meanOf(flip(known.picture, picture));
+    if (wants("flip")) record.metrics["flip"] = meanOf(flip(known.picture, picture));
     record.truth =
         RunRecord::Truth{truthKindName(run.kind), truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
     record.images = {{"truth", known.truthPath},
@@ -197,8 +199,9 @@ void SceneRunner::measureAoRun(const Measured& run, RunRecord& record) {
     if (run.kind != TruthKind::Area)
         maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
     record.metrics = measureAo(measured, truth);
-    record.metrics["noise"] =
-        measureNoise(run, truth.mask, [](const RenderResult& result) { return result.ao->plane(0); });
+    if (wants("noise"))
+        record.metrics["noise"] =
+            measureNoise(run, truth.mask, [](const RenderResult& result) { return result.ao->plane(0); });
     record.truth =
         RunRecord::Truth{truthKindName(run.kind), truth.samplesPerPixel, truth.meanStandardError, truth.maskedShare};
     record.images = {{"truth", known.truthPath},
@@ -303,6 +306,8 @@ std::vector<RunRecord> SceneRunner::run(const PlannedRun& planned) {
         records.push_back(describe(planned, settings, result));
         records.back().images["picture"] = save(fileName(planned, std::nullopt), "picture", displayed(result.picture));
     }
+    if (m_only)
+        for (RunRecord& record : records) record.images.clear();
     return records;
 }
 

@@ -29,6 +29,10 @@ public:
     SceneRunner(const Scene& scene, const CompareRequest& request, const CompareKeys& keys, Renderer& renderer,
                 std::function<bool(const std::string&)> tell);
 
+    /// For searches: no pictures are written, and of the metrics that need further renders or pictures (noise, flip) none is
+    /// measured but this one.
+    void measureOnly(const std::string& metric) { m_only = metric; }
+
     /// One render, and a record for each truth that it is held against.
     /// @throws whatever scene, renderer and files throw; nothing is written for a run that threw, pictures apart.
     std::vector<RunRecord> run(const PlannedRun& planned);
@@ -74,6 +78,7 @@ private:
     ReferenceOptions referenceOptions() const;
     const Receivers& receivers();
     void announce(const std::string& what) const;
+    bool wants(const char* metric) const { return !m_only || *m_only == metric; }
     RenderSettings settingsFor(int light) const;
     /// What a person looks for in a picture's name: scene, camera, light and size.
     std::string stem(int light) const;
@@ -89,6 +94,7 @@ private:
     const CompareKeys& m_keys;
     Renderer& m_renderer;
     std::function<bool(const std::string&)> m_tell;
+    std::optional<std::string> m_only;
     int m_camera = 0;
     std::unique_ptr<Reference> m_reference;
     SceneTraits m_traits;

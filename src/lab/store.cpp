@@ -192,6 +192,8 @@ void ResultStore::exportLines() const {
     writeWhole(m_folder / kRecordsFile, asLines(records(kCompareKind)));
     if (const std::vector<std::string> groups = records(kBenchKind); !groups.empty())
         writeWhole(m_folder / "bench.jsonl", asLines(groups));
+    if (const std::vector<std::string> runs = records(kTuneKind); !runs.empty())
+        writeWhole(m_folder / "tune.jsonl", asLines(runs));
     writeWhole(m_folder / kRunsFile, asLines(notes()));
 }
 

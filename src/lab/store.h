@@ -46,9 +46,9 @@ public:
     /// Forgets everything. Pictures stay where they are.
     void clear();
 
-    /// Writes the comparisons' records to records.jsonl, the benches', where there are any, to bench.jsonl, and the
-    /// notes to runs.jsonl, each in one step. Nobody writes meanwhile, so that an export never lacks what another
-    /// process has already shown.
+    /// Writes the comparisons' records to records.jsonl, the benches' and the searches', where there are any,
+    /// to bench.jsonl and tune.jsonl, and the notes to runs.jsonl, each in one step. Nobody writes meanwhile, so that
+    /// an export never lacks what another process has already shown.
     void exportLines() const;
 
 private:
@@ -66,5 +66,7 @@ private:
 inline constexpr const char* kCompareKind = "compare";
 /// Kind of a bench's results: groups of the schema ombrage/bench/1.
 inline constexpr const char* kBenchKind = "bench";
+/// Kind of a search's results: records of the schema ombrage/record/1 without pictures.
+inline constexpr const char* kTuneKind = "tune";
 
 }  // namespace ombrage

@@ -69,7 +69,7 @@ std::string overview(const std::vector<RecordGroup>& groups) {
     std::vector<std::pair<std::string, std::vector<const RecordGroup*>>> families;
     for (const RecordGroup& group : groups) {
         const RunRecord& r = group.first();
-        if (!r.truth || hasOwnTruth(r)) continue;
+        if (!r.truth || hasOwnTruth(r) || !r.motion.empty()) continue;
         const std::string name = r.family + ", truth " + r.truth->kind;
         auto family = std::find_if(families.begin(), families.end(), [&](const auto& f) { return f.first == name; });
         if (family == families.end()) family = families.insert(families.end(), {name, {}});

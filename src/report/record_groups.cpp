@@ -79,6 +79,7 @@ std::string commandFor(const RunRecord& r, const std::vector<RunNote>& notes) {
         add("--truth", r.truth->kind);
         add("--spp", std::to_string(r.truth->spp));
     }
+    if (!r.motion.empty()) add("--motion", r.motion);
     add("-o", "again");
     for (std::string& word : words) word = shellQuoted(word);
     return join(words, " ");

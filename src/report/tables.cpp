@@ -84,9 +84,9 @@ std::string cell(const std::optional<double>& value, const std::string& shown, b
 
 std::vector<std::string> metricColumns(const RecordGroup& group) {
     // Classes of errors have a table of their own.
-    static const std::vector<std::string> shadow{"rmse", "wrong",     "wrong_domain", "bias",    "over",
-                                                 "flip", "leak_mass", "noise",        "flicker", "edge_px"};
-    static const std::vector<std::string> other{"rmse", "bias", "psnr", "gain_db", "ssim", "noise", "flicker", "flip"};
+    static const std::vector<std::string> shadow{"rmse", "wrong",     "wrong_domain", "bias",   "over",
+                                                 "flip", "leak_mass", "noise",        "edge_px"};
+    static const std::vector<std::string> other{"rmse", "bias", "psnr", "gain_db", "ssim", "noise", "flip"};
     if (!group.first().motion.empty()) return {"flicker_mean", "flicker_p99", "flicker_patch", "lag"};
     std::vector<std::string> columns;
     for (const std::string& key : group.first().family == "shadow" ? shadow : other)
