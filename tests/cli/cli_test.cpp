@@ -507,7 +507,7 @@ TEST_F(Cli, NamesEveryError) {
     EXPECT_GT(noisy, 0);
     EXPECT_GT(quiet, 0);
     const std::string page = content(m_folder / "out/report.html");
-    EXPECT_NE(page.find("false_shadow</li>"), std::string::npos) << "the legend of the class pictures";
+    EXPECT_NE(page.find("false_shadow</dt>"), std::string::npos) << "the legend of the class pictures";
 }
 
 TEST_F(Cli, ComparesOcclusionAndFilters) {
