@@ -179,12 +179,7 @@ BenchResult bench(const BenchRequest& request, const RendererOptions& options) {
 
     std::optional<ResultStore> store;
     if (!request.outputDir.empty()) {
-        std::error_code error;
-        std::filesystem::create_directories(request.outputDir, error);
-        if (error)
-            throw Error(ErrorCode::Environment,
-                        "cannot make the folder '" + request.outputDir.string() + "': " + error.message(),
-                        "choose another with -o DIR");
+        makeResultFolder(request.outputDir);
         store.emplace(request.outputDir);
     }
     const double groupCount = double(points.size() * std::max<std::size_t>(scenes.size(), 1));

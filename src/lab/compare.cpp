@@ -142,15 +142,6 @@ private:
     const std::vector<std::string>& m_warnings;
 };
 
-void makeFolder(const std::filesystem::path& folder) {
-    if (folder.empty()) throw Error(ErrorCode::Usage, "no folder for the results", "name one with -o DIR");
-    std::error_code error;
-    std::filesystem::create_directories(folder / "images", error);
-    if (error)
-        throw Error(ErrorCode::Environment, "cannot make the folder '" + folder.string() + "': " + error.message(),
-                    "choose another with -o DIR");
-}
-
 }  // namespace
 
 std::string CompareResult::json() const {
@@ -188,7 +179,8 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         for (const std::string& warning : plans.back().warnings) warn(warning);
     }
     for (const Gate& gate : request.failOn) checkGate(gate, plans);
-    makeFolder(request.outputDir);
+    if (request.outputDir.empty()) throw Error(ErrorCode::Usage, "no folder for the results", "name one with -o DIR");
+    makeResultFolder(request.outputDir / "images");
     removeUnfinished(request.outputDir / "images");
     ResultStore store(request.outputDir);
     // Whoever is killed has been interrupted: that is what the folder says until the end.

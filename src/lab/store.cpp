@@ -59,6 +59,14 @@ fs::path ResultStore::fileIn(const fs::path& folder) {
     return folder / "results.sqlite";
 }
 
+void makeResultFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+        throw Error(ErrorCode::Environment, "cannot make the folder '" + folder.string() + "': " + error.message(),
+                    "choose another with -o DIR");
+}
+
 ResultStore::ResultStore(const fs::path& folder, sqlite::Access access)
     : m_folder(folder), m_database(fileIn(folder), access) {}
 

@@ -11,6 +11,9 @@
 
 namespace ombrage {
 
+/// @throws Error(Environment) when the folder of results is not there and cannot be made.
+void makeResultFolder(const std::filesystem::path& folder);
+
 /// What has been measured into a folder: DIR/results.sqlite, in write-ahead mode. It is the authority; records.jsonl
 /// and runs.jsonl beside it are exports. Each result is one transaction, so a process killed at any moment loses what
 /// it was measuring and nothing else, and several processes may share a folder. One object per thread.

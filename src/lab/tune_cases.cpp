@@ -15,25 +15,6 @@ namespace {
 constexpr double kOrbit_rad = 0.4363323129985824;  // 25 degrees
 constexpr int kHalvings = 5;
 
-/// Whether the segment crosses a triangle (Moeller and Trumbore 1997).
-bool isBlocked(const FlatScene& flat, const glm::dvec3& from, const glm::dvec3& to) {
-    const glm::dvec3 origin = from - flat.origin, direction = to - from;
-    for (const glm::uvec3& triangle : flat.triangles) {
-        const glm::dvec3 a(flat.positions[triangle.x]);
-        const glm::dvec3 e1 = glm::dvec3(flat.positions[triangle.y]) - a,
-                         e2 = glm::dvec3(flat.positions[triangle.z]) - a;
-        const glm::dvec3 p = glm::cross(direction, e2);
-        const double determinant = glm::dot(e1, p);
-        if (determinant == 0) continue;
-        const glm::dvec3 s = origin - a;
-        const double u = glm::dot(s, p) / determinant;
-        const glm::dvec3 q = glm::cross(s, e1);
-        const double v = glm::dot(direction, q) / determinant, t = glm::dot(e2, q) / determinant;
-        if (u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t <= 1) return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 Camera orbited(const Scene& scene, const Camera& camera, double angle_rad) {
@@ -42,7 +23,7 @@ Camera orbited(const Scene& scene, const Camera& camera, double angle_rad) {
     for (int i = 0; i <= kHalvings; ++i, angle_rad /= 2) {
         const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), angle_rad, glm::normalize(glm::dvec3(camera.up)));
         turned.position = camera.target + glm::dvec3(turn * glm::dvec4(camera.position - camera.target, 0.0));
-        if (!isBlocked(flat, camera.position, turned.position)) break;
+        if (nearestHit(flat, camera.position - flat.origin, turned.position - camera.position) > 1) break;
     }
     return turned;
 }

@@ -55,12 +55,7 @@ Measurer::Measurer(const TuneRequest& request, const RendererOptions& options,
         if (std::find(cameras.begin(), cameras.end(), camera) == cameras.end())
             throw unknownName("camera to hold out", camera, cameras);
 
-    std::error_code error;
-    std::filesystem::create_directories(request.outputDir, error);
-    if (error)
-        throw Error(ErrorCode::Environment,
-                    "cannot make the folder '" + request.outputDir.string() + "': " + error.message(),
-                    "choose another with -o DIR");
+    makeResultFolder(request.outputDir);
     m_store.emplace(request.outputDir);
     say("starting OpenGL");
     m_program = programIdentity(options.shaderDir);

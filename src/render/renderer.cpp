@@ -181,11 +181,10 @@ void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& set
     frame.scene = &gpuScene->scene();
     frame.gpuScene = gpuScene.get();
     frame.gbuffer = gbuffer.get();
-    frame.view = makeCameraView(frame.scene->cameras[std::size_t(request.camera)], settings.width, settings.height,
-                                gpuScene->origin(), gpuScene->bounds());
     const auto viewOf = [&](const Camera& camera) {
         return makeCameraView(camera, settings.width, settings.height, gpuScene->origin(), gpuScene->bounds());
     };
+    frame.view = viewOf(frame.scene->cameras[std::size_t(request.camera)]);
     frame.fitView = settings.fitCamera ? viewOf(*settings.fitCamera) : frame.view;
     frame.previousView = previousCamera ? viewOf(*previousCamera) : frame.view;
     frame.normals = settings.normals;

@@ -107,28 +107,6 @@ TEST_P(Builtin, IsAValidScene) {
     }
 }
 
-/// Nearest hit along a ray of the flat scene, or infinity (Moeller and Trumbore 1997).
-double nearestHit(const FlatScene& flat, const glm::dvec3& start, const glm::dvec3& direction) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const glm::uvec3& triangle : flat.triangles) {
-        const glm::dvec3 a(flat.positions[triangle.x]);
-        const glm::dvec3 e1 = glm::dvec3(flat.positions[triangle.y]) - a,
-                         e2 = glm::dvec3(flat.positions[triangle.z]) - a;
-        const glm::dvec3 p = glm::cross(direction, e2);
-        const double determinant = glm::dot(e1, p);
-        if (determinant == 0.0) continue;
-        const glm::dvec3 s = start - a;
-        const double u = glm::dot(s, p) / determinant;
-        if (u < 0.0 || u > 1.0) continue;
-        const glm::dvec3 q = glm::cross(s, e1);
-        const double v = glm::dot(direction, q) / determinant;
-        if (v < 0.0 || u + v > 1.0) continue;
-        const double t = glm::dot(e2, q) / determinant;
-        if (t > 0.0 && t < nearest) nearest = t;
-    }
-    return nearest;
-}
-
 TEST_P(Builtin, CamerasSeeEnoughOfIt) {
     const Scene scene = loadScene(GetParam());
     const FlatScene flat = flatten(scene);

@@ -34,4 +34,8 @@ struct FlatScene {
 
 FlatScene flatten(const Scene& scene);
 
+/// Distance, in lengths of `direction`, to the first triangle that the ray meets, or infinity; both sides count, holes
+/// of textures do not. Looks at every triangle: for a few rays (the truth's rays are reference/ray_scene).
+double nearestHit(const FlatScene& flat, const glm::dvec3& start, const glm::dvec3& direction);
+
 }  // namespace ombrage
