@@ -23,6 +23,12 @@ void applyStencilFace(GLenum face, const DrawState::StencilFace& state) {
     glStencilOpSeparate(face, state.stencilFail, state.depthFail, state.depthPass);
 }
 
+void applyDepthBounds(const std::optional<glm::vec2>& bounds) {
+    if (!epoxy_has_gl_extension("GL_EXT_depth_bounds_test")) return;
+    setEnabled(GL_DEPTH_BOUNDS_TEST_EXT, bounds.has_value());
+    if (bounds) glDepthBoundsEXT(bounds->x, bounds->y);
+}
+
 }  // namespace
 
 void apply(const DrawState& state) {
@@ -52,6 +58,10 @@ void apply(const DrawState& state) {
     setEnabled(GL_POLYGON_OFFSET_LINE, offset);
     glPolygonOffset(state.polygonOffsetFactor, state.polygonOffsetUnits);
     glPolygonMode(GL_FRONT_AND_BACK, state.wireframe ? GL_LINE : GL_FILL);
+
+    setEnabled(GL_SCISSOR_TEST, state.scissor.has_value());
+    if (state.scissor) glScissor(state.scissor->x, state.scissor->y, state.scissor->width, state.scissor->height);
+    applyDepthBounds(state.depthBounds);
 
     assert(state.clipDistances >= 0 && state.clipDistances <= kMaxClipDistances);
     for (int i = 0; i < kMaxClipDistances; ++i) setEnabled(GLenum(GL_CLIP_DISTANCE0 + i), i < state.clipDistances);
@@ -90,13 +100,13 @@ void drawFullscreen() {
 }
 
 void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, std::size_t firstCommand,
-                          std::size_t commandCount) {
+                          std::size_t commandCount, GLenum mode) {
     assert((firstCommand + commandCount) * sizeof(DrawElementsIndirect) <= commands.size());
     if (commandCount == 0) return;
     vertices.bind();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.id());
     const std::size_t offset = firstCommand * sizeof(DrawElementsIndirect);
-    glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
+    glMultiDrawElementsIndirect(mode, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
                                 GLsizei(commandCount), 0);
 }
 

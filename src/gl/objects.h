@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -193,6 +194,13 @@ struct DrawState {
     float polygonOffsetFactor = 0, polygonOffsetUnits = 0;
     int clipDistances = 0;
     bool wireframe = false;
+    struct Rect {
+        int x = 0, y = 0, width = 0, height = 0;  ///< pixels, from the lower left corner
+        bool operator==(const Rect&) const = default;
+    };
+    std::optional<Rect> scissor;            ///< nothing outside of it is drawn
+    std::optional<glm::vec2> depthBounds;   ///< nothing where the stored depth lies outside of it; ignored by drivers
+                                            ///< without Capabilities::depthBoundsTest
 };
 
 /// Sets all of DrawState. Clip control (lower left, zero to one) is set once by beginFrameState.
@@ -211,7 +219,7 @@ struct DrawElementsIndirect {
 };
 
 void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, std::size_t firstCommand,
-                          std::size_t commandCount);
+                          std::size_t commandCount, GLenum mode = GL_TRIANGLES);
 void drawElements(const VertexArray& vertices, GLenum mode, std::size_t firstIndex, std::size_t count);
 void dispatch(int groupsX, int groupsY, int groupsZ);
 void barrier(GLbitfield bits);

@@ -49,6 +49,10 @@ bool FrameContext::wants(const std::string& name) const {
     return recorder->capturing && (recorder->wantsAll || recorder->wanted.count(name + recorder->suffix) > 0);
 }
 
+bool FrameContext::isReturned() const {
+    return recorder->capturing;
+}
+
 void FrameContext::expose(const std::string& name, const gl::Texture& texture, ShowAs how, int layer) {
     recorder->shown[name + recorder->suffix] = showTexture(texture, how, layer);
 }

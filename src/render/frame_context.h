@@ -113,6 +113,10 @@ public:
     void expose(const std::string& name, const gl::Texture& texture, ShowAs how, int layer = 0);
     bool wants(const std::string& name) const;
 
+    /// Whether this is the frame that the caller gets to see, the last one: what only informs and makes the GPU wait is
+    /// done here alone.
+    bool isReturned() const;
+
     void warn(const std::string& message);
 
     /// The program of a technique, in use: its virtual include "FAMILY/NAME/params" and its defines are added from its

@@ -285,6 +285,24 @@ bool GpuScene::isWithin(std::size_t instance, const glm::vec3& point, float marg
            glm::all(glm::lessThanEqual(point, upper + margin_m));
 }
 
+bool GpuScene::isOnTheWay(std::size_t instance, const glm::vec3& from, const glm::vec4& toward) const {
+    const auto& [lower, upper] = m_instanceBounds[instance];
+    const glm::dvec3 start(from), along = glm::dvec3(toward) - start * double(toward.w);
+    // Slabs, a little thicker than the bounds, which were rounded.
+    const glm::dvec3 margin = glm::dvec3(1e-5) * (glm::abs(glm::dvec3(lower)) + glm::abs(glm::dvec3(upper)) + 1e-3);
+    double first = 0, last = toward.w != 0.0f ? 1.0 : std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        const double below = double(lower[k]) - margin[k] - start[k], above = double(upper[k]) + margin[k] - start[k];
+        if (along[k] == 0.0) {
+            if (below > 0 || above < 0) return false;
+            continue;
+        }
+        first = std::max(first, std::min(below / along[k], above / along[k]));
+        last = std::min(last, std::max(below / along[k], above / along[k]));
+    }
+    return first <= last;
+}
+
 bool GpuScene::hidesBackFaces(const DrawBatch& batch, const glm::vec4& viewpoint, float margin_m) const {
     return batch.solid && (viewpoint.w == 0.0f ||
                            std::none_of(batch.instances.begin(), batch.instances.end(),

@@ -72,6 +72,13 @@ public:
     /// Bounds in the space moved by the origin, of all casters.
     glm::vec3 casterLower() const { return m_casterLower; }
     glm::vec3 casterUpper() const { return m_casterUpper; }
+    /// Of an instance, lower and upper, in the space moved by the origin.
+    const std::pair<glm::vec3, glm::vec3>& instanceBounds(std::size_t instance) const {
+        return m_instanceBounds[instance];
+    }
+    /// Whether the way from a point towards a light (position, 1) or (direction, 0) meets an instance's bounds, or
+    /// nearly.
+    bool isOnTheWay(std::size_t instance, const glm::vec3& from, const glm::vec4& toward) const;
     /// Whether the point is in an instance's bounds grown by a margin.
     bool isWithin(std::size_t instance, const glm::vec3& point, float margin_m) const;
     bool hasAlphaMask() const { return m_hasAlphaMask; }

@@ -48,22 +48,30 @@ TEST(Silhouette, SunSidesAreSingleTrianglesWithoutAFarCap) {
     // Three faces seen: a hexagon of 6 edges; 6 triangles turned away.
     const VolumeTriangles v = volumeOf(cube(), {.light_local = kSunAbove});
     EXPECT_EQ(v.edges, 6u);
-    EXPECT_EQ(v.outward.size() / 3, 6u);
-    EXPECT_EQ(v.inward.size() / 3, 6u);
+    EXPECT_EQ(v.sides.size() / 3, 6u);
+    EXPECT_EQ(v.inwardLightCaps.size() / 3, 6u);
+    EXPECT_TRUE(v.lightCaps.empty());
+    EXPECT_TRUE(v.darkCaps.empty());
+    // Where they end after all, they have four corners and a cap.
+    const VolumeTriangles ended = volumeOf(cube(), {.light_local = kSunAbove, .finite = true});
+    EXPECT_EQ(ended.sides.size() / 3, 12u);
+    EXPECT_EQ(ended.darkCaps.size() / 3, 6u);
 }
 
 TEST(Silhouette, LampSidesAreQuadsAndCapsComeTwice) {
     // The top is seen: its 4 edges; 10 triangles turned away, each also at infinity.
     const VolumeTriangles v = volumeOf(cube(), {.light_local = kLampAbove});
     EXPECT_EQ(v.edges, 4u);
-    EXPECT_EQ(v.outward.size() / 3, 4u * 2 + 10);
-    EXPECT_EQ(v.inward.size() / 3, 10u);
-    for (std::uint32_t code : v.inward) EXPECT_EQ(code & 1u, 0u);
+    EXPECT_EQ(v.sides.size() / 3, 4u * 2);
+    EXPECT_EQ(v.inwardLightCaps.size() / 3, 10u);
+    EXPECT_EQ(v.darkCaps.size() / 3, 10u);
+    for (std::uint32_t code : v.inwardLightCaps) EXPECT_EQ(code & 1u, 0u);
+    for (std::uint32_t code : v.darkCaps) EXPECT_EQ(code & 1u, 1u);
 }
 
 TEST(Silhouette, TriangleFacesOfAClosedMeshAreCountedOncePerSide) {
-    const VolumeTriangles v = volumeOf(cube(), {.light_local = kLampAbove, .perTriangle = true});
-    EXPECT_EQ(v.edges, 30u);  // 10 triangles
+    EXPECT_EQ(volumeOf(cube(), {.light_local = kLampAbove, .faces = VolumeFaces::Facing}).edges, 30u);  // 10 triangles
+    EXPECT_EQ(volumeOf(cube(), {.light_local = kLampAbove, .faces = VolumeFaces::All}).edges, 36u);
 }
 
 TEST(Silhouette, OpenMeshCountsItsBorderOnceAndItsFoldTwice) {
@@ -74,7 +82,7 @@ TEST(Silhouette, OpenMeshCountsItsBorderOnceAndItsFoldTwice) {
     EXPECT_FALSE(MeshTopology(roof).closed());
     EXPECT_EQ(MeshTopology(roof).edgeCount(), 5u);
     const auto edges = [&](const glm::dvec4& light_local) {
-        return volumeOf(roof, {.light_local = light_local, .both = true, .caps = false}).edges;
+        return volumeOf(roof, {.light_local = light_local, .both = true}).edges;
     };
     // From above both face the light, and the ridge cancels; from the side one shows its back, and the ridge bounds
     // both.
@@ -96,10 +104,43 @@ TEST(Silhouette, MirrorSwapsTheSidesAndTheWayOfTheCaps) {
     const VolumeTriangles plain = volumeOf(cube(), {.light_local = kSunAbove});
     const VolumeTriangles mirrored = volumeOf(cube(), {.light_local = kSunAbove, .mirrored = true});
     // The caps that were clockwise from outside are counter-clockwise in the mirror.
-    EXPECT_TRUE(mirrored.inward.empty());
-    EXPECT_EQ(mirrored.outward.size(), plain.outward.size() + plain.inward.size());
-    EXPECT_EQ(mirrored.outward[0], plain.outward[1]);
-    EXPECT_EQ(mirrored.outward[1], plain.outward[0]);
+    EXPECT_TRUE(mirrored.inwardLightCaps.empty());
+    EXPECT_EQ(mirrored.lightCaps, plain.inwardLightCaps);
+    EXPECT_EQ(mirrored.sides[0], plain.sides[1]);
+    EXPECT_EQ(mirrored.sides[1], plain.sides[0]);
+}
+
+TEST(Silhouette, PairsHoldEveryUseOfEveryEdgeOnce) {
+    // Three sheets at one edge, which is used three times, and six edges used once.
+    Mesh fan;
+    fan.positions = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}};
+    fan.indices = {0, 1, 2, 0, 1, 3, 1, 0, 4};
+    const std::vector<EdgePair> pairs = MeshTopology(fan).edgePairs();
+    ASSERT_EQ(pairs.size(), 8u);
+    std::vector<std::uint32_t> shared;
+    for (const EdgePair& pair : pairs)
+        if (pair.vertices == glm::uvec2(0, 1)) shared.insert(shared.end(), {pair.uses.x, pair.uses.y});
+    EXPECT_EQ(shared, (std::vector<std::uint32_t>{0, 5, 2, EdgePair::kNoUse}));
+}
+
+TEST(Silhouette, VolumesAroundAPointAreTheCastersBetweenItAndTheLight) {
+    const Mesh mesh = cube();
+    const MeshTopology topology(mesh);
+    const auto around = [&](const glm::dvec3& p, VolumeRequest request) {
+        return volumesAround(topology, mesh, request, p);
+    };
+    const VolumeRequest lamp{.light_local = kLampAbove};
+    EXPECT_EQ(around({0.1, -3, 0.2}, lamp), 1);  // below
+    EXPECT_EQ(around({4, -3, 0.2}, lamp), 0);    // beside
+    EXPECT_EQ(around({0.1, 1, 0.2}, lamp), 0);   // above
+    VolumeRequest both = lamp;
+    both.both = true;
+    EXPECT_EQ(around({0.1, -3, 0.2}, both), 2);  // the way crosses the bottom and the top
+    EXPECT_EQ(around({0.1, 0, 0.2}, both), 1);   // from the inside the top alone
+    // Straight through the diagonals of both faces, which two triangles share: still each face once.
+    const glm::dvec4 sun(0, 1, 0, 0);
+    EXPECT_EQ(around({0, -3, 0}, {.light_local = sun, .both = true}), 2);
+    EXPECT_EQ(around({0.25, -3, 0.25}, {.light_local = sun, .both = true}), 2);
 }
 
 }  // namespace

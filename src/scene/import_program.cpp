@@ -27,7 +27,8 @@
 namespace ombrage {
 
 namespace {
-// Sanitizers reserve terabytes of addresses and keep shadow memory: their builds have limits of time only.
+// Sanitizers reserve terabytes of addresses and keep shadow memory: their builds have limits of time only, and
+// wider ones: they run several times slower.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
 #elif defined(__has_feature)
@@ -48,7 +49,8 @@ constexpr int kMostThreads = 8;  // every thread's stack counts as memory
 /// compressed picture of n bytes may hold 1000 n texels but seldom more than 8192 x 8192. The least time lets whatever
 /// is small end within 10 s, the program's own start and end included.
 constexpr double kBaseMemory_MiB = 1024, kMemoryPerByte = 32, kImageMemoryPerByte = 1024, kMostImage_MiB = 2560;
-constexpr double kLeastTime_s = 8, kTimePerMiB_s = 1;
+constexpr double kSlowness = kSanitized ? 8 : 1;
+constexpr double kLeastTime_s = 8 * kSlowness, kTimePerMiB_s = 1 * kSlowness;
 
 ImportNotice* g_notice = nullptr;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one way from a vertex to the screen: every pass that must meet another's depth calls positionWorld() and
 // clipFromPosition(), so that equal inputs give equal bits.
+#include "ombrage/clip.glsl"
 #include "ombrage/frame.glsl"
 #include "ombrage/instances.glsl"
 
@@ -24,11 +25,4 @@ invariant gl_Position;
 vec3 positionWorld(vec3 p_local) {
     precise vec3 p = a_axisX * p_local.x + a_axisY * p_local.y + a_axisZ * p_local.z + a_offset;
     return p;
-}
-
-// Homogeneous: w = 0 is a direction.
-vec4 clipFromPosition(mat4 clipFromWorld, vec4 p_world) {
-    precise vec4 clip = clipFromWorld[0] * p_world.x + clipFromWorld[1] * p_world.y + clipFromWorld[2] * p_world.z +
-                        clipFromWorld[3] * p_world.w;
-    return clip;
 }

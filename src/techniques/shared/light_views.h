@@ -12,14 +12,14 @@
 
 namespace ombrage {
 
-/// One picture taken from a light. Depth is reversed: perspective near/d for the distance d along `forward`, infinite far plane;
-/// orthographic (far - d)/(far - near). Nearer than `near_m` is clamped, not clipped.
+/// One picture taken from a light. Depth is reversed: perspective near/d for the distance d along `forward`, infinite
+/// far plane; orthographic (far - d)/(far - near). Nearer than `near_m` is clamped, not clipped.
 struct LightView {
-    glm::vec3 origin{0.0f};      ///< the light, or a point on the near side of an orthographic view; in the moved world
+    glm::vec3 origin{0.0f};  ///< the light, or a point on the near side of an orthographic view; in the moved world
     glm::vec3 right{1, 0, 0}, up{0, 1, 0}, forward{0, 0, -1};  ///< unit, orthogonal
     glm::vec2 halfExtent{1.0f};  ///< metres for an orthographic view, tangents for a perspective one
     float near_m = 0.01f;
-    float far_m = 1.0f;          ///< orthographic only
+    float far_m = 1.0f;  ///< orthographic only
     bool operator==(const LightView&) const = default;
 };
 
@@ -45,14 +45,14 @@ struct LightViews {
 
 /// What an orthographic view covers.
 enum class LightFit {
-    Scene,   ///< everything that can cast: does not move with the camera
-    View     ///< the part of it that can shade what the camera sees: finer, but moves with the camera
+    Scene,  ///< everything that can cast: does not move with the camera
+    View    ///< the part of it that can shade what the camera sees: finer, but moves with the camera
 };
 
 /// Views of a light. A spot wider than 75 degrees half angle and a rect get the six views of a point light.
 ///
-/// The sun's view leaves out of its extent (not out of its depths) flat instances that have all other geometry on the lit side,
-/// such as a ground: nothing lies behind them, so nothing can be in their shadow.
+/// The sun's view leaves out of its extent (not out of its depths) flat instances that have all other geometry on the
+/// lit side, such as a ground: nothing lies behind them, so nothing can be in their shadow.
 LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit);
 
 }  // namespace ombrage

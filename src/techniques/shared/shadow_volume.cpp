@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <tbb/parallel_for.h>
 
+#include <fmt/format.h>
+#include <ombrage/error.h>
+
 #include "render/frame_context.h"
+#include "techniques/shared/volume_gpu.h"
 
 namespace ombrage {
 
@@ -15,6 +20,46 @@ namespace {
 /// w of the far ends under an orthographic camera: 1e5 times the distance to the light, beyond any scene, and a ray
 /// bends by 1e-5 of its length.
 constexpr float kOrthographicInfinity = 1e-5f;
+
+constexpr int kGroupSize = 64;  // of shared/volume_silhouette.comp
+
+using Defines = std::vector<std::pair<std::string, std::string>>;
+
+int groups(std::uint32_t threads) {
+    return int((threads + kGroupSize - 1) / kGroupSize);
+}
+
+const std::vector<std::uint32_t>& trianglesOf(const VolumeTriangles& volume, VolumePart part) {
+    switch (part) {
+        case VolumePart::Sides:
+            return volume.sides;
+        case VolumePart::LightCaps:
+            return volume.lightCaps;
+        case VolumePart::DarkCaps:
+            return volume.darkCaps;
+        case VolumePart::InwardLightCaps:
+            break;
+    }
+    return volume.inwardLightCaps;
+}
+
+/// Commands that draw nothing yet.
+std::vector<gl::DrawElementsIndirect> emptyCommands(std::size_t instances) {
+    std::vector<gl::DrawElementsIndirect> commands(kVolumeParts * instances);
+    for (std::size_t c = 0; c < commands.size(); ++c) commands[c] = {0, 1, 0, 0, std::uint32_t(c % instances)};
+    return commands;
+}
+
+void checkRoom(std::uint64_t bytes) {
+    GLint64 limit = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+    const auto most = std::uint64_t(limit);
+    if (bytes > most)
+        throw Error(ErrorCode::Environment,
+                    fmt::format("the volumes' indices take {} MB, and the driver's storage blocks hold {} MB",
+                                bytes / 1000000, most / 1000000),
+                    "find silhouettes with silhouette=cpu or silhouette=geometry");
+}
 
 }  // namespace
 
@@ -30,6 +75,13 @@ VolumeVertices::VolumeVertices(const GpuScene& scene) {
 
 SceneTopology::SceneTopology(const GpuScene& scene) {
     for (const Mesh& mesh : scene.scene().meshes) m_meshes.emplace_back(mesh);
+}
+
+ShadowVolumeOptions::ShadowVolumeOptions(const VolumeParams& params)
+    : faces(params.faces),
+      // Pairs of uses know silhouettes only.
+      source(params.faces == VolumeFaces::Silhouette ? params.silhouette : SilhouetteSource::Cpu) {
+    if (params.extrude == VolumeExtrusion::Distance) distance_m = params.distance_m;
 }
 
 void ShadowVolumes::reset() {
@@ -52,79 +104,257 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
                       (!isSun && frame.gpuScene->isWithin(i, light.position, 0.0f));
     }
     if (m_key && *m_key == key) return;
-    build(frame, key, light.light->excludedModels);
     m_key = std::move(key);
+
+    m_casters.assign(instances.size(), false);
+    const std::vector<int>& excluded = light.light->excludedModels;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+        m_casters[i] =
+            instances[i].casts && std::find(excluded.begin(), excluded.end(), instances[i].model) == excluded.end();
+    switch (options.source) {
+        case SilhouetteSource::Cpu:
+            buildOnCpu(frame);
+            break;
+        case SilhouetteSource::Compute:
+            buildOnGpu(frame);
+            break;
+        case SilhouetteSource::Geometry:
+            prepareGeometryShader(frame);
+            break;
+    }
 }
 
-void ShadowVolumes::build(FrameContext& frame, const Key& key, const std::vector<int>& excludedModels) {
+VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) const {
+    const FlatInstance& instance = gpuScene.flat().instances[i];
+    const glm::dmat4 localFromWorld = glm::inverse(gpuScene.scene().instances[i].worldFromLocal);
+    VolumeRequest request;
+    request.light_local =
+        localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
+                                                        : glm::dvec4(m_key->position, 1.0));
+    request.mirrored = instance.mirrored;
+    request.both = m_key->both[i];
+    request.faces = m_key->options.faces;
+    request.finite = m_key->options.distance_m.has_value();
+    request.firstVertex = gpuScene.meshFirstVertex(instance.mesh);
+    return request;
+}
+
+void ShadowVolumes::buildOnCpu(FrameContext& frame) {
+    const TraceScope trace("find silhouettes");
     const GpuScene& gpuScene = *frame.gpuScene;
-    const Scene& scene = gpuScene.scene();
     const auto& instances = gpuScene.flat().instances;
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
-
-    // The volume of every caster, with the light in the space of its mesh.
     std::vector<VolumeTriangles> volumes(instances.size());
     tbb::parallel_for(std::size_t(0), instances.size(), [&](std::size_t i) {
-        const FlatInstance& instance = instances[i];
-        if (!instance.casts) return;
-        if (std::find(excludedModels.begin(), excludedModels.end(), instance.model) != excludedModels.end()) return;
-        const glm::dmat4 localFromWorld = glm::inverse(scene.instances[i].worldFromLocal);
-        VolumeRequest request;
-        request.light_local = localFromWorld * (key.type == LightType::Sun ? glm::dvec4(-glm::dvec3(key.direction), 0.0)
-                                                                           : glm::dvec4(key.position, 1.0));
-        request.mirrored = instance.mirrored;
-        request.both = key.both[i];
-        request.perTriangle = key.options.perTriangle;
-        request.caps = key.options.caps;
-        request.firstVertex = gpuScene.meshFirstVertex(instance.mesh);
-        appendVolume(topology.mesh(instance.mesh), request, volumes[i]);
+        if (m_casters[i]) appendVolume(topology.mesh(instances[i].mesh), request(gpuScene, i), volumes[i]);
     });
 
-    // One index buffer, all outward triangles first; a draw command per instance and part.
-    m_outward = {};
-    m_inward = {};
+    // One index buffer, part by part; a draw command per part and instance.
+    std::vector<gl::DrawElementsIndirect> commands = emptyCommands(instances.size());
+    std::vector<std::uint32_t> indices;
+    std::size_t total = 0;
+    for (const VolumeTriangles& v : volumes)
+        total += v.sides.size() + v.lightCaps.size() + v.darkCaps.size() + v.inwardLightCaps.size();
+    indices.reserve(total);
+    m_counts.assign(commands.size(), 0);
     m_edges = 0;
-    VolumeTriangles all;
-    const auto append = [](Part& part, std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
-                           std::size_t instance) {
-        if (from.empty()) return;
-        part.commands.push_back({std::uint32_t(from.size()), 1, std::uint32_t(to.size()), 0, std::uint32_t(instance)});
-        to.insert(to.end(), from.begin(), from.end());
-    };
-    for (std::size_t i = 0; i < volumes.size(); ++i) {
-        append(m_outward, all.outward, volumes[i].outward, i);
-        append(m_inward, all.inward, volumes[i].inward, i);
-        m_edges += volumes[i].edges;
+    for (std::size_t c = 0; c < commands.size(); ++c) {
+        const auto& from = trianglesOf(volumes[c % instances.size()], VolumePart(c / instances.size()));
+        commands[c].count = m_counts[c] = std::uint32_t(from.size());
+        commands[c].firstIndex = std::uint32_t(indices.size());
+        indices.insert(indices.end(), from.begin(), from.end());
     }
-    upload(frame, all);
-}
-
-void ShadowVolumes::upload(FrameContext& frame, const VolumeTriangles& triangles) {
-    m_outward.indexCount = triangles.outward.size();
-    m_inward.indexCount = triangles.inward.size();
-    for (auto& command : m_inward.commands) command.firstIndex += std::uint32_t(m_outward.indexCount);
-    std::vector<std::uint32_t> indices = triangles.outward;
-    indices.insert(indices.end(), triangles.inward.begin(), triangles.inward.end());
+    for (const VolumeTriangles& v : volumes) m_edges += v.edges;
     m_indices = gl::Buffer::from(indices, "shadow volume indices");
-    m_outward.commandBuffer = gl::Buffer::from(m_outward.commands, "shadow volume commands");
-    m_inward.commandBuffer = gl::Buffer::from(m_inward.commands, "shadow volume cap commands");
-
+    m_commands = gl::Buffer::from(commands, "shadow volume commands");
     const gl::Buffer& ends = frame.gpuScene->derived<VolumeVertices>().buffer;
-    m_vertices =
-        frame.gpuScene->vertexArray({{0, ends.id(), 0, sizeof(glm::vec4), 0}}, {{0, 4, GL_FLOAT, 0, 0}}, m_indices);
+    m_vertices = gpuScene.vertexArray({{0, ends.id(), 0, sizeof(glm::vec4), 0}}, {{0, 4, GL_FLOAT, 0, 0}}, m_indices);
 }
 
-void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, const gl::Program& program, bool outward) const {
-    const Part& part = outward ? m_outward : m_inward;
-    if (part.commands.empty()) return;
-    program.set("u_toward", light.toward());
-    program.set("u_infinity", frame.view.orthographic ? kOrthographicInfinity : 0.0f);
-    gl::drawElementsIndirect(m_vertices, part.commandBuffer, 0, part.commands.size());
-    frame.countDraw(part.commands.size(), part.indexCount / 3);
+std::vector<GpuCaster> ShadowVolumes::gpuCasters(const GpuScene& gpuScene, const GpuTopology& topology) const {
+    const auto& instances = gpuScene.flat().instances;
+    std::vector<GpuCaster> casters(instances.size());
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!m_casters[i]) continue;
+        const VolumeRequest volume = request(gpuScene, i);
+        const GpuTopology::Range& mesh = topology.meshes[std::size_t(instances[i].mesh)];
+        casters[i] = {.light_local = glm::vec4(volume.light_local),
+                      .firstPair = mesh.firstPair,
+                      .pairs = mesh.pairs,
+                      .firstTriangle = mesh.firstTriangle,
+                      .triangles = mesh.triangles,
+                      .firstVertex = volume.firstVertex,
+                      .flags = (volume.both ? kCasterBoth : 0u) | (volume.mirrored ? kCasterMirrored : 0u) |
+                               (volume.hasFarEnds() ? kCasterFarEnds : 0u)};
+    }
+    return casters;
+}
+
+void ShadowVolumes::buildOnGpu(FrameContext& frame) {
+    const auto pass = frame.pass("find silhouettes");
+    const GpuScene& gpuScene = *frame.gpuScene;
+    const auto& topology = frame.gpuScene->derived<GpuTopology>();
+    const std::vector<GpuCaster> casters = gpuCasters(gpuScene, topology);
+
+    // Room for all that may come: a pair bounds one volume, or two where both sides of triangles cast.
+    std::vector<gl::DrawElementsIndirect> commands = emptyCommands(casters.size());
+    std::uint64_t indices = 0;
+    const auto reserve = [&](VolumePart part, std::size_t instance, std::uint64_t count) {
+        commands[std::size_t(part) * casters.size() + instance].firstIndex = std::uint32_t(indices);
+        indices += count;
+    };
+    for (std::size_t i = 0; i < casters.size(); ++i) {
+        const bool farEnds = (casters[i].flags & kCasterFarEnds) != 0;
+        const std::uint64_t caps = std::uint64_t(casters[i].triangles) * 3;
+        reserve(VolumePart::Sides, i,
+                std::uint64_t(casters[i].pairs) * ((casters[i].flags & kCasterBoth) != 0 ? 2 : 1) * (farEnds ? 6 : 3));
+        reserve(VolumePart::LightCaps, i, caps);
+        reserve(VolumePart::InwardLightCaps, i, caps);
+        if (farEnds) reserve(VolumePart::DarkCaps, i, caps);
+        checkRoom(indices * sizeof(std::uint32_t));
+    }
+    m_casterData = gl::Buffer::from(casters, "shadow volume casters");
+    m_commands = gl::Buffer::from(commands, "shadow volume commands");
+    m_indices = gl::Buffer(indices * sizeof(std::uint32_t), nullptr, "shadow volume indices");
+    const gl::Buffer& ends = frame.gpuScene->derived<VolumeVertices>().buffer;
+    m_vertices = gpuScene.vertexArray({{0, ends.id(), 0, sizeof(glm::vec4), 0}}, {{0, 4, GL_FLOAT, 0, 0}}, m_indices);
+
+    m_casterData.bindStorage(kCasterStorage);
+    topology.pairs.bindStorage(kPairStorage);
+    topology.planes.bindStorage(kPlaneStorage);
+    topology.triangles.bindStorage(kTriangleVertexStorage);
+    m_commands.bindStorage(kVolumeCommandStorage);
+    m_indices.bindStorage(kVolumeIndexStorage);
+    for (const bool caps : {false, true}) {
+        const gl::Program& program =
+            frame.program({{GL_COMPUTE_SHADER, "shared/volume_silhouette.comp"}}, {{"PART", caps ? "1" : "0"}});
+        program.set("u_casters", unsigned(casters.size()));
+        for (std::size_t i = 0; i < casters.size(); ++i) {
+            const std::uint32_t threads = caps ? casters[i].triangles : casters[i].pairs;
+            if (threads == 0) continue;
+            program.set("u_caster", unsigned(i));
+            gl::dispatch(groups(threads), 1, 1);
+        }
+    }
+    gl::barrier(GL_COMMAND_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    m_counts.clear();
+    m_edges = 0;
+}
+
+void ShadowVolumes::prepareGeometryShader(FrameContext& frame) {
+    const GpuScene& gpuScene = *frame.gpuScene;
+    const auto& topology = frame.gpuScene->derived<GpuTopology>();
+    const std::vector<GpuCaster> casters = gpuCasters(gpuScene, topology);
+    std::vector<gl::DrawElementsIndirect> commands = emptyCommands(casters.size());
+    for (std::size_t c = 0; c < commands.size(); ++c) {
+        const GpuCaster& caster = casters[c % casters.size()];
+        const bool sides = VolumePart(c / casters.size()) == VolumePart::Sides;
+        commands[c].count = sides ? caster.pairs * 2 : caster.triangles * 3;
+        commands[c].firstIndex = sides ? caster.firstPair * 2 : caster.firstTriangle * 3;
+    }
+    m_casterData = gl::Buffer::from(casters, "shadow volume casters");
+    m_commands = gl::Buffer::from(commands, "shadow volume commands");
+    m_indices = {};
+    m_vertices = gpuScene.vertexArray({{0, gpuScene.vertices().id(), 0, sizeof(glm::vec3), 0}},
+                                      {{0, 3, GL_FLOAT, 0, 0}}, topology.pairIndices);
+    m_capVertices = gpuScene.vertexArray({{0, topology.corners.id(), 0, sizeof(glm::vec3), 0}},
+                                         {{0, 3, GL_FLOAT, 0, 0}}, topology.cornerIndices);
+    m_counts.clear();
+    m_edges = 0;
+}
+
+const gl::Program& ShadowVolumes::program(FrameContext& frame, VolumePart part, const VolumeLook& look) const {
+    Defines defines = look.defines;
+    if (look.distance_m || m_key->options.distance_m) defines.emplace_back("FINITE", "");
+    if (look.ontoNearPlane) defines.emplace_back("ONTO_NEAR_PLANE", "");
+    const gl::ShaderStage fragment{GL_FRAGMENT_SHADER, look.fragmentPath};
+    if (m_key->options.source != SilhouetteSource::Geometry)
+        return frame.program({{GL_VERTEX_SHADER, "shared/shadow_volume.vert"}, fragment}, std::move(defines));
+    if (part == VolumePart::LightCaps || part == VolumePart::InwardLightCaps) {
+        defines.emplace_back("PART", std::to_string(int(part)));
+        return frame.program({{GL_VERTEX_SHADER, "shared/volume_caps.vert"}, fragment}, std::move(defines));
+    }
+    const char* const path = part == VolumePart::Sides ? "shared/volume_sides.geom" : "shared/volume_dark_caps.geom";
+    return frame.program({{GL_VERTEX_SHADER, "shared/volume_primitive.vert"}, {GL_GEOMETRY_SHADER, path}, fragment},
+                         std::move(defines));
+}
+
+void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePart first, VolumePart last,
+                         const VolumeChoice& chosen, const VolumeLook& look) const {
+    const std::size_t instances = m_casters.size();
+    const bool byGeometryShader = m_key->options.source == SilhouetteSource::Geometry;
+    if (byGeometryShader) {
+        const auto& topology = frame.gpuScene->derived<GpuTopology>();
+        m_casterData.bindStorage(kCasterStorage);
+        topology.pairs.bindStorage(kPairStorage);
+        topology.planes.bindStorage(kPlaneStorage);
+    }
+    const gl::Program* program = nullptr;
+    for (auto part = std::size_t(first); part <= std::size_t(last); ++part) {
+        if (program == nullptr || byGeometryShader) {
+            program = &this->program(frame, VolumePart(part), look);
+            program->set("u_toward", light.toward());
+            program->set("u_infinity", frame.view.orthographic ? kOrthographicInfinity : 0.0f);
+            program->set("u_distance", look.distance_m.value_or(m_key->options.distance_m.value_or(0.0f)));
+        }
+        // Runs of chosen instances, a draw each.
+        for (std::size_t i = 0; i < instances;) {
+            std::size_t end = i;
+            std::uint64_t triangles = 0;
+            for (; end < instances && chosen[end] && m_casters[end]; ++end)
+                triangles += m_counts.empty() ? 0 : m_counts[part * instances + end] / 3;
+            if (end > i) {
+                const std::size_t command = part * instances + i;
+                if (!byGeometryShader)
+                    gl::drawElementsIndirect(m_vertices, m_commands, command, end - i);
+                else if (VolumePart(part) == VolumePart::Sides)
+                    gl::drawElementsIndirect(m_vertices, m_commands, command, end - i, GL_LINES);
+                else
+                    gl::drawElementsIndirect(m_capVertices, m_commands, command, end - i);
+                frame.countDraw(end - i, triangles);
+            }
+            i = std::max(end, i + 1);
+        }
+    }
+}
+
+int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
+                          const VolumeChoice& chosen) const {
+    const GpuScene& gpuScene = *frame.gpuScene;
+    const auto& instances = gpuScene.flat().instances;
+    const auto& topology = frame.gpuScene->derived<SceneTopology>();
+    const glm::dvec4 p_world(glm::dvec3(p) + gpuScene.origin(), 1.0);
+    int count = 0;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+        if (!chosen[i] || !m_casters[i] || !gpuScene.isOnTheWay(i, p, light.toward())) continue;
+        const glm::dvec3 p_local = glm::inverse(gpuScene.scene().instances[i].worldFromLocal) * p_world;
+        count += volumesAround(topology.mesh(instances[i].mesh),
+                               gpuScene.scene().meshes[std::size_t(instances[i].mesh)], request(gpuScene, i), p_local);
+    }
+    return count;
+}
+
+void ShadowVolumes::readBackSizes() const {
+    std::vector<gl::DrawElementsIndirect> commands(kVolumeParts * m_casters.size());
+    m_commands.download(0, commands.size() * sizeof commands[0], commands.data());
+    for (const gl::DrawElementsIndirect& command : commands) m_counts.push_back(command.count);
+    std::size_t corners = 0;
+    for (std::size_t i = 0; i < m_casters.size(); ++i) corners += m_counts[i];
+    const bool farEnds = m_key->type != LightType::Sun || m_key->options.distance_m;
+    m_edges = corners / (farEnds ? 6 : 3);
+}
+
+void ShadowVolumes::report(FrameContext& frame) const {
+    // What compute shaders made is counted when somebody looks at the frame: reading it back waits for them.
+    if (m_counts.empty() && m_key->options.source == SilhouetteSource::Compute && frame.isReturned()) readBackSizes();
+    if (m_counts.empty()) return;
+    const std::size_t corners = std::accumulate(m_counts.begin(), m_counts.end(), std::size_t(0));
+    frame.counter("silhouette edges", double(m_edges));
+    frame.counter("volume triangles", double(corners / 3));
 }
 
 std::uint64_t ShadowVolumes::gpuBytes() const {
-    return m_indices.size() + m_outward.commandBuffer.size() + m_inward.commandBuffer.size();
+    return m_indices.size() + m_commands.size() + m_casterData.size();
 }
 
 }  // namespace ombrage

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -9,10 +10,13 @@
 #include "gl/shader_library.h"
 #include "render/gpu_scene.h"
 #include "techniques/shared/silhouette.h"
+#include "techniques/shared/volume_params.h"
 
 namespace ombrage {
 
 class FrameContext;
+struct GpuCaster;
+struct GpuTopology;
 struct LightFrame;
 
 /// Adjacency of every mesh of a scene; shared through GpuScene::derived().
@@ -26,44 +30,70 @@ private:
     std::vector<MeshTopology> m_meshes;
 };
 
-/// Both ends of every vertex, the corner itself (w 1) and the same to be sent to infinity (w 0), one after the other,
-/// so that the codes of VolumeTriangles are indices. Shared through GpuScene::derived().
+/// Both ends of every vertex, the corner itself (w 1) and the same to be sent to the far end (w 0), one after the
+/// other, so that the codes of VolumeTriangles are indices. Shared through GpuScene::derived().
 struct VolumeVertices {
     explicit VolumeVertices(const GpuScene& scene);
     gl::Buffer buffer;  ///< vec4, local
 };
 
+/// What volumes consist of. All but the last are counter-clockwise seen from outside.
+enum class VolumePart { Sides, LightCaps, DarkCaps, InwardLightCaps };
+inline constexpr std::size_t kVolumeParts = 4;
+
 struct ShadowVolumeOptions {
-    bool perTriangle = false;  ///< a volume per casting triangle instead of one per silhouette
-    bool caps = true;          ///< as depth-fail counting needs
+    VolumeFaces faces = VolumeFaces::Silhouette;
+    SilhouetteSource source = SilhouetteSource::Cpu;
+    std::optional<float> distance_m;  ///< where they end; endless without it
+
+    explicit ShadowVolumeOptions(const VolumeParams& params);
+    ShadowVolumeOptions() = default;
     bool operator==(const ShadowVolumeOptions&) const = default;
 };
 
-/// Shadow volumes of all casters of one light, extruded to infinity. The CPU finds which triangles bound them and emits
-/// indices only; positions come from the G-buffer's own vertices through ombrage/vertex.glsl, so both meet bit by bit.
+/// How volumes are drawn.
+struct VolumeLook {
+    const char* fragmentPath = "shared/empty.frag";
+    /// Onto the near plane as seen from the light, in place of the picture as seen from the eye.
+    bool ontoNearPlane = false;
+    std::optional<float> distance_m;                           ///< of the far ends, in the place of the volumes' own
+    std::vector<std::pair<std::string, std::string>> defines;  ///< for the fragment shader
+};
+
+/// Per instance, whether something is done with its volume.
+using VolumeChoice = std::vector<bool>;
+
+/// Shadow volumes of all casters of one light. Whoever finds which triangles bound them (see SilhouetteSource), the
+/// positions are the G-buffer's own through ombrage/vertex.glsl, so that caps meet it bit by bit.
 class ShadowVolumes {
 public:
-    /// Builds them anew when the light, the options or the side that the eye is on changed.
+    /// Makes them anew when the light, the options or the side that the eye is on changed.
     void update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options);
 
     /// Forgets everything; call when the scene changed.
     void reset();
 
-    /// Draws with the program of shared/shadow_volume.vert in use. `outward` triangles are counter-clockwise seen from
-    /// outside the volume, the others clockwise: swap what the two sides do.
-    void draw(FrameContext& frame, const LightFrame& light, const gl::Program& program, bool outward) const;
+    /// Draws the parts from `first` to `last` of the chosen instances' volumes, with the draw state applied.
+    void draw(FrameContext& frame, const LightFrame& light, VolumePart first, VolumePart last,
+              const VolumeChoice& chosen, const VolumeLook& look = {}) const;
 
-    std::size_t edgeCount() const { return m_edges; }
-    std::size_t triangleCount() const { return (m_outward.indexCount + m_inward.indexCount) / 3; }
+    /// Instances that cast.
+    const VolumeChoice& casters() const { return m_casters; }
+
+    /// Whether they end, at a distance.
+    bool end() const { return m_key->options.distance_m.has_value(); }
+
+    /// How many of the chosen instances' volumes hold the point, in the space moved by the scene's origin.
+    int around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
+               const VolumeChoice& chosen) const;
+
+    /// Puts what is known of the volumes' size into the record.
+    void report(FrameContext& frame) const;
+
     std::uint64_t gpuBytes() const;
 
 private:
-    struct Part {
-        std::vector<gl::DrawElementsIndirect> commands;
-        gl::Buffer commandBuffer;
-        std::size_t firstIndex = 0, indexCount = 0;
-    };
-    /// What the built volumes depend on.
+    /// What the volumes depend on.
     struct Key {
         LightType type;
         glm::dvec3 position;
@@ -72,14 +102,21 @@ private:
         std::vector<bool> both;
         bool operator==(const Key&) const = default;
     };
-    void build(FrameContext& frame, const Key& key, const std::vector<int>& excludedModels);
-    void upload(FrameContext& frame, const VolumeTriangles& triangles);
+    VolumeRequest request(const GpuScene& scene, std::size_t instance) const;
+    void buildOnCpu(FrameContext& frame);
+    void buildOnGpu(FrameContext& frame);
+    void prepareGeometryShader(FrameContext& frame);
+    std::vector<GpuCaster> gpuCasters(const GpuScene& scene, const GpuTopology& topology) const;
+    const gl::Program& program(FrameContext& frame, VolumePart part, const VolumeLook& look) const;
+    void readBackSizes() const;
 
     std::optional<Key> m_key;
-    std::size_t m_edges = 0;
-    Part m_outward, m_inward;
-    gl::Buffer m_indices;
-    gl::VertexArray m_vertices;
+    VolumeChoice m_casters;
+    gl::Buffer m_indices, m_commands, m_casterData;  ///< commands: of each part, one per instance
+    gl::VertexArray m_vertices, m_capVertices;
+    /// Indices of each command, where the processor knows them.
+    mutable std::vector<std::uint32_t> m_counts;
+    mutable std::size_t m_edges = 0;
 };
 
 }  // namespace ombrage

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Corners of shadow volumes: w is 1 for a corner of the caster and 0 for the same corner at infinity, away from the light.
+// Corners of shadow volumes: w is 1 for a corner of the caster and 0 for the same corner at the far end.
 #define POSITION_TYPE vec4
 #include "ombrage/vertex.glsl"
-
-uniform vec4 u_toward;      // towards the light: (position, 1), or (direction to the sun, 0)
-uniform float u_infinity;   // w of points at infinity: 0; above 0 for orthographic cameras, which cannot show them
+#include "shared/volume_ends.glsl"
 
 void main() {
     vec3 p_world = positionWorld(a_position.xyz);
-    vec4 p = vec4(p_world, 1.0);
-    // Everitt and Kilgard 2002, section 5.1: V * L.w - L, at infinity along the ray from the light.
-    if (a_position.w == 0.0) p = vec4(p_world * u_toward.w - u_toward.xyz, u_infinity);
+    vec4 p = a_position.w == 0.0 ? farEnd(p_world) : vec4(p_world, 1.0);
     gl_Position = clipFromPosition(frame.clipFromWorld, p);
+#ifdef ONTO_NEAR_PLANE
+    gl_Position = ontoNearPlane(gl_Position);
+#endif
 }

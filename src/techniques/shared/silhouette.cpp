@@ -2,10 +2,11 @@
 #include "techniques/shared/silhouette.h"
 
 #include <algorithm>
-#include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <numeric>
+#include <tuple>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -38,6 +39,14 @@ std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
     for (std::size_t i = 0; i < order.size(); ++i)
         first[order[i]] = i > 0 && positions[order[i]] == positions[order[i - 1]] ? first[order[i - 1]] : order[i];
     return first;
+}
+
+/// On which side of the line from a to b the ray from the zero passes. One that meets the line passes it on one side
+/// only, whichever end is named first, so that it does not slip between two triangles.
+bool passesLeft(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& direction) {
+    const double side = glm::dot(glm::cross(a, b), direction);
+    if (side != 0.0) return side > 0.0;
+    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
 /// One side of a triangle, to be sorted by its edge.
@@ -91,10 +100,21 @@ MeshTopology::MeshTopology(const Mesh& mesh) {
     m_firstUse.push_back(std::uint32_t(m_uses.size()));
 }
 
-void VolumeTriangles::clear() {
-    outward.clear();
-    inward.clear();
-    edges = 0;
+std::vector<EdgePair> MeshTopology::edgePairs() const {
+    std::vector<EdgePair> pairs;
+    pairs.reserve(m_edges.size());
+    std::vector<std::uint32_t> forward, backward;
+    for (std::size_t e = 0; e < m_edges.size(); ++e) {
+        forward.clear();
+        backward.clear();
+        for (std::uint32_t u = m_firstUse[e]; u < m_firstUse[e + 1]; ++u)
+            ((m_uses[u] & 1u) != 0 ? backward : forward).push_back(m_uses[u]);
+        for (std::size_t i = 0; i < std::max(forward.size(), backward.size()); ++i)
+            pairs.push_back({m_edges[e],
+                             {i < forward.size() ? forward[i] : EdgePair::kNoUse,
+                              i < backward.size() ? backward[i] : EdgePair::kNoUse}});
+    }
+    return pairs;
 }
 
 /// The steps of appendVolume.
@@ -105,21 +125,19 @@ public:
 
     void build(VolumeTriangles& out) {
         classify();
-        if (m_request.perTriangle)
-            appendTriangleSides(out);
-        else
+        if (m_request.faces == VolumeFaces::Silhouette)
             appendSilhouetteSides(out);
-        if (m_request.caps) appendCaps(out);
+        else
+            appendTriangleSides(out);
+        appendCaps(out);
     }
 
 private:
-    /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
     void classify() {
         m_weight.resize(m_topology.triangleCount());
-        const std::int8_t facing = m_request.both ? 1 : 0;
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, m_weight.size(), kGrain), [&](const auto& range) {
             for (std::size_t t = range.begin(); t != range.end(); ++t)
-                m_weight[t] = glm::dot(m_topology.m_planes[t], m_request.light_local) > 0.0 ? facing : std::int8_t(-1);
+                m_weight[t] = m_request.weight(m_topology.m_planes[t]);
         });
     }
 
@@ -132,7 +150,7 @@ private:
     void appendSide(std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& to) const {
         if (m_request.mirrored) std::swap(a, b);
         to.insert(to.end(), {near(b), near(a), far(a)});
-        if (m_request.light_local.w != 0.0) to.insert(to.end(), {near(b), far(a), far(b)});
+        if (m_request.hasFarEnds()) to.insert(to.end(), {near(b), far(a), far(b)});
     }
 
     /// One side per count: the signed sum over the casting triangles of how often they run through the edge (Bergeron
@@ -156,7 +174,7 @@ private:
             }
         });
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-            out.outward.insert(out.outward.end(), parts[chunk].begin(), parts[chunk].end());
+            out.sides.insert(out.sides.end(), parts[chunk].begin(), parts[chunk].end());
             out.edges += sides[chunk];
         }
     }
@@ -166,26 +184,24 @@ private:
             if (m_weight[t] == 0) continue;
             glm::uvec3 corner = m_topology.m_triangles[t];
             if (m_weight[t] < 0) std::swap(corner.y, corner.z);
-            for (int k = 0; k < 3; ++k) appendSide(corner[k], corner[(k + 1) % 3], out.outward);
+            for (int k = 0; k < 3; ++k) appendSide(corner[k], corner[(k + 1) % 3], out.sides);
             out.edges += 3;
         }
     }
 
-    /// Near caps keep the mesh's order of corners, so that their depth has the bits of the G-buffer's. Far caps close
-    /// the volumes of lamps; a sun's sides meet in one point and need none.
+    /// Light caps keep the mesh's order of corners, so that their depth has the bits of the G-buffer's.
     void appendCaps(VolumeTriangles& out) const {
-        const bool farCaps = m_request.light_local.w != 0.0;
         for (std::size_t t = 0; t < m_weight.size(); ++t) {
             if (m_weight[t] == 0) continue;
             const glm::uvec3 v = m_topology.m_triangles[t];
             const bool facesOut = (m_weight[t] > 0) != m_request.mirrored;
-            auto& caps = facesOut ? out.outward : out.inward;
+            auto& caps = facesOut ? out.lightCaps : out.inwardLightCaps;
             caps.insert(caps.end(), {near(v.x), near(v.y), near(v.z)});
-            if (!farCaps) continue;
+            if (!m_request.hasFarEnds()) continue;
             if (facesOut)
-                out.outward.insert(out.outward.end(), {far(v.x), far(v.z), far(v.y)});
+                out.darkCaps.insert(out.darkCaps.end(), {far(v.x), far(v.z), far(v.y)});
             else
-                out.outward.insert(out.outward.end(), {far(v.x), far(v.y), far(v.z)});
+                out.darkCaps.insert(out.darkCaps.end(), {far(v.x), far(v.y), far(v.z)});
         }
     }
 
@@ -196,6 +212,32 @@ private:
 
 void appendVolume(const MeshTopology& topology, const VolumeRequest& request, VolumeTriangles& out) {
     VolumeBuilder(topology, request).build(out);
+}
+
+int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRequest& request,
+                  const glm::dvec3& p_local) {
+    const glm::dvec3 direction = glm::dvec3(request.light_local) - p_local * request.light_local.w;
+    std::atomic<int> around = 0;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, topology.triangleCount(), kGrain), [&](const auto& range) {
+        int crossed = 0;
+        for (std::size_t t = range.begin(); t != range.end(); ++t) {
+            // Which side of the triangle's plane the point and the light are on; only a change of sides is a crossing.
+            const glm::dvec4& plane = topology.planes()[t];
+            const bool lightInFront = glm::dot(plane, request.light_local) > 0.0;
+            if ((glm::dot(plane, glm::dvec4(p_local, 1.0)) > 0.0) == lightInFront) continue;
+            if (request.weight(plane) == 0) continue;
+            // The line passes inside of all three sides, seen from the point (signed volumes of its tetrahedra).
+            const glm::uvec3 v = topology.triangles()[t];
+            const glm::dvec3 a = glm::dvec3(mesh.positions[v.x]) - p_local,
+                             b = glm::dvec3(mesh.positions[v.y]) - p_local,
+                             c = glm::dvec3(mesh.positions[v.z]) - p_local;
+            const bool ab = passesLeft(a, b, direction), bc = passesLeft(b, c, direction),
+                       ca = passesLeft(c, a, direction);
+            crossed += ab == bc && bc == ca ? 1 : 0;
+        }
+        around += crossed;
+    });
+    return around;
 }
 
 }  // namespace ombrage

@@ -10,6 +10,14 @@
 
 namespace ombrage {
 
+/// One forward and one backward use of an edge, or one of them: what the GPU makes sides of. An edge with more uses is
+/// several pairs; which uses go together does not matter, as their counts add up.
+struct EdgePair {
+    glm::uvec2 vertices;  ///< the edge's ends; this direction counts as forward
+    glm::uvec2 uses;      ///< forward, backward: triangle * 2, plus 1 for backward; kNoUse for none
+    static constexpr std::uint32_t kNoUse = 0xffffffffu;
+};
+
 /// Which triangles meet at which edges of a mesh, vertices joined by position. Made once per mesh; holds any triangle
 /// soup. Triangles with two equal corners or with coordinates that are no numbers are left out: they cast no shadow.
 class MeshTopology {
@@ -21,16 +29,26 @@ public:
     std::size_t triangleCount() const { return m_triangles.size(); }
     std::size_t edgeCount() const { return m_edges.size(); }
 
+    /// The mesh's own vertices, in the mesh's order.
+    const std::vector<glm::uvec3>& triangles() const { return m_triangles; }
+    /// Per triangle: normal (not unit) and -normal . corner.
+    const std::vector<glm::dvec4>& planes() const { return m_planes; }
+    std::vector<EdgePair> edgePairs() const;
+
 private:
     friend class VolumeBuilder;
 
-    std::vector<glm::uvec3> m_triangles;    ///< the mesh's own vertices, in the mesh's order
+    std::vector<glm::uvec3> m_triangles;
     std::vector<glm::uvec2> m_edges;        ///< one vertex pair per edge; its direction counts as forward
     std::vector<std::uint32_t> m_firstUse;  ///< per edge, into m_uses; one more at the end
-    std::vector<std::uint32_t> m_uses;      ///< triangle * 2, plus 1 where it runs through the edge backward
-    std::vector<glm::dvec4> m_planes;       ///< per triangle: normal (not unit) and -normal . corner
+    std::vector<std::uint32_t> m_uses;      ///< as EdgePair::uses
+    std::vector<glm::dvec4> m_planes;
     bool m_closed = true;
 };
+
+/// Whose edges are extruded: every triangle's, those of the triangles that are enough (see VolumeRequest::both), or the
+/// silhouette.
+enum class VolumeFaces { All, Facing, Silhouette };
 
 /// How the volume of one instance is to be built.
 struct VolumeRequest {
@@ -41,26 +59,37 @@ struct VolumeRequest {
     /// Both: every triangle, turned towards the light, casts. Else only those turned away from the light do, which is
     /// enough for closed meshes while neither the eye nor the light is inside.
     bool both = false;
-    /// A volume of its own for every triangle instead of one from the silhouette.
-    bool perTriangle = false;
-    /// Caps at the casters and, but for suns, at infinity.
-    bool caps = true;
+    VolumeFaces faces = VolumeFaces::Silhouette;
+    /// Sides end at a distance, so that even a sun's have four corners and a dark cap.
+    bool finite = false;
     /// Added to every vertex index.
     std::uint32_t firstVertex = 0;
+
+    /// All far ends of an endless volume of a sun are one point: sides are triangles, and there is nothing to close.
+    bool hasFarEnds() const { return finite || light_local.w != 0.0; }
+    /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
+    std::int8_t weight(const glm::dvec4& plane) const {
+        const bool all = both || faces == VolumeFaces::All;
+        return glm::dot(plane, light_local) > 0.0 ? std::int8_t(all ? 1 : 0) : std::int8_t(-1);
+    }
 };
 
-/// Triangles of shadow volumes, three codes each: vertex * 2, plus 1 for that vertex moved to infinity away from the
-/// light.
+/// Triangles of shadow volumes, three codes each: vertex * 2, plus 1 for that vertex at the far end. All but the inward
+/// light caps are counter-clockwise seen from outside the volume.
 struct VolumeTriangles {
-    std::vector<std::uint32_t> outward;  ///< counter-clockwise from outside the volume
-    std::vector<std::uint32_t>
-        inward;             ///< clockwise: near caps that must keep their mesh's order to meet its depth exactly
+    std::vector<std::uint32_t> sides;
+    /// The casting triangles themselves, in their mesh's order of corners to meet its depth exactly, which makes some
+    /// of them clockwise.
+    std::vector<std::uint32_t> lightCaps, inwardLightCaps;
+    std::vector<std::uint32_t> darkCaps;
     std::size_t edges = 0;  ///< sides made: silhouette edges, counted as often as they bound a volume
-
-    void clear();
 };
 
 /// Appends the volume of one instance to `out`.
 void appendVolume(const MeshTopology& topology, const VolumeRequest& request, VolumeTriangles& out);
+
+/// How many volumes of casting triangles hold a point: casting triangles on the way from it to the light.
+int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRequest& request,
+                  const glm::dvec3& p_local);
 
 }  // namespace ombrage

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shared/volume_counter.h"
+
+#include "render/frame_context.h"
+
+namespace ombrage {
+
+namespace {
+
+using StencilFace = gl::DrawState::StencilFace;
+
+constexpr GLuint kAllBits = 0xff;
+
+}  // namespace
+
+VolumeCounter::VolumeCounter(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, bool twoSided)
+    : m_frame(frame),
+      m_light(light),
+      m_volumes(volumes),
+      m_twoSided(twoSided),
+      m_region(frame.view, light),
+      m_target({}, {&frame.gbuffer->depth}, "shadow volumes") {}
+
+void VolumeCounter::begin(int atTheEye) const {
+    m_target.bind();
+    m_target.clearStencil(atTheEye & int(kAllBits));
+}
+
+gl::DrawState VolumeCounter::state() const {
+    gl::DrawState state;
+    state.depthTest = true;
+    // Reversed depth: what lies behind fails, and so does the surface itself, which is its own volume's light cap.
+    state.depthFunc = GL_GREATER;
+    state.depthClamp = m_frame.view.orthographic;  // its far plane would cut the volumes open
+    state.stencilTest = true;
+    state.colorWrite = false;
+    if (m_maskBit != 0) {
+        for (StencilFace* face : {&state.stencilFront, &state.stencilBack}) {
+            face->func = GL_EQUAL;
+            face->reference = m_maskBit;
+            face->readMask = GLuint(m_maskBit);
+        }
+        state.stencilWriteMask = kAllBits & ~GLuint(m_maskBit);
+    }
+    m_region.limit(state);
+    return state;
+}
+
+void VolumeCounter::draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen) const {
+    if (m_twoSided) {
+        gl::apply(state);
+        m_volumes.draw(m_frame, m_light, first, last, chosen);
+        return;
+    }
+    for (const GLenum culled : {GL_BACK, GL_FRONT}) {
+        state.cull = culled;
+        gl::apply(state);
+        m_volumes.draw(m_frame, m_light, first, last, chosen);
+    }
+}
+
+void VolumeCounter::zPass(const VolumeChoice& chosen, bool clampDepth) const {
+    if (m_region.empty) return;
+    gl::DrawState state = this->state();
+    state.depthClamp = state.depthClamp || clampDepth;
+    state.stencilFront.depthPass = GL_INCR_WRAP;
+    state.stencilBack.depthPass = GL_DECR_WRAP;
+    // The dark caps of endless volumes lie behind everything.
+    m_target.bind();
+    draw(state, VolumePart::Sides, VolumePart::Sides, chosen);
+    if (m_volumes.end()) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
+}
+
+void VolumeCounter::zFail(const VolumeChoice& chosen) const {
+    if (m_region.empty) return;
+    gl::DrawState state = this->state();
+    m_target.bind();
+    state.stencilFront.depthFail = GL_DECR_WRAP;
+    state.stencilBack.depthFail = GL_INCR_WRAP;
+    draw(state, VolumePart::Sides, VolumePart::DarkCaps, chosen);
+    state.stencilFront.depthFail = GL_INCR_WRAP;
+    state.stencilBack.depthFail = GL_DECR_WRAP;
+    draw(state, VolumePart::InwardLightCaps, VolumePart::InwardLightCaps, chosen);
+}
+
+void VolumeCounter::nearPlane(const VolumeChoice& chosen) const {
+    if (m_region.empty) return;
+    gl::DrawState state = this->state();
+    state.depthTest = false;
+    state.clipDistances = 2;
+    state.stencilFront.depthPass = state.stencilBack.depthPass = GL_INCR_WRAP;
+    m_target.bind();
+    gl::apply(state);
+    for (const VolumePart part : {VolumePart::LightCaps, VolumePart::InwardLightCaps})
+        m_volumes.draw(m_frame, m_light, part, part, chosen, {.ontoNearPlane = true});
+}
+
+void VolumeCounter::darken(const gl::Texture& visibility) const {
+    const gl::Framebuffer target({{&visibility}}, {&m_frame.gbuffer->depth}, "shadow from stencil");
+    target.bind();
+    gl::DrawState state;
+    state.stencilTest = true;
+    state.stencilFront.func = state.stencilBack.func = GL_NOTEQUAL;
+    state.stencilFront.readMask = state.stencilBack.readMask = kAllBits & ~GLuint(m_maskBit);
+    m_region.limit(state);
+    state.depthBounds.reset();  // outside of them the count is that of the eye, and the light does not matter
+    if (m_region.empty) return;
+    gl::apply(state);
+    m_frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/dark.frag"}});
+    m_frame.drawFullscreen();
+}
+
+}  // namespace ombrage

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "gl/objects.h"
+#include "techniques/shared/light_region.h"
+#include "techniques/shared/shadow_volume.h"
+
+namespace ombrage {
+
+/// Counts, in the stencil plane of the G-buffer's depth, how many volumes hold each visible point, and writes the
+/// shadow from that. One object per light and frame; the volumes are up to date.
+class VolumeCounter {
+public:
+    VolumeCounter(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, bool twoSided);
+
+    /// Clears the count of every pixel to that of the eye. Opens no pass, as none of these does: whoever calls names
+    /// them.
+    void begin(int atTheEye) const;
+
+    /// Heidmann 1991: faces before the surface, +1 where a volume is entered and -1 where it is left. With `clampDepth`
+    /// the near plane cuts nothing, and counting starts at the eye.
+    void zPass(const VolumeChoice& chosen, bool clampDepth) const;
+
+    /// Everitt and Kilgard 2002, section 3.3: faces behind the surface, +1 where a volume is left and -1 where it is
+    /// entered. Needs the caps.
+    void zFail(const VolumeChoice& chosen) const;
+
+    /// Hornus 2005: what holds each point of the near plane, from the caps between it and the light: where z-pass
+    /// starts.
+    void nearPlane(const VolumeChoice& chosen) const;
+
+    /// Visibility 0 where the count is not 0.
+    void darken(const gl::Texture& visibility) const;
+
+    /// Only pixels whose stencil has this bit are counted; the count has the bits below.
+    void restrictTo(int bit) { m_maskBit = bit; }
+
+private:
+    gl::DrawState state() const;
+    void draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen) const;
+
+    FrameContext& m_frame;
+    const LightFrame& m_light;
+    const ShadowVolumes& m_volumes;
+    bool m_twoSided;
+    int m_maskBit = 0;
+    LightRegion m_region;
+    gl::Framebuffer m_target;
+};
+
+}  // namespace ombrage

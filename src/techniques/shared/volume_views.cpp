@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/shared/volume_views.h"
+
+#include "render/frame_context.h"
+
+namespace ombrage {
+
+namespace {
+
+constexpr const char* kStencil = "volume-stencil";
+constexpr const char* kQuads = "volume-quads";
+constexpr const char* kSilhouette = "volume-silhouette";
+constexpr const char* kFill = "volume-fill";
+
+/// Length of what is shown of a silhouette's sides, in diagonals of the casters' bounds.
+constexpr float kFin = 0.004f;
+
+constexpr const char* kTintPath = "shared/volume_view.frag";
+
+/// The scene in grey, to draw volumes into.
+gl::Texture backdrop(FrameContext& frame) {
+    gl::Texture picture({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "volume view");
+    const gl::Framebuffer target({{&picture}}, {}, "volume view");
+    target.bind();
+    gl::apply({});
+    frame.bindGBuffer();
+    frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/volume_backdrop.frag"}});
+    frame.drawFullscreen();
+    return picture;
+}
+
+/// What is before the surfaces; volumes of any kind of look.
+gl::DrawState overlay() {
+    gl::DrawState state;
+    state.depthTest = true;
+    state.depthFunc = GL_GEQUAL;
+    state.blend = true;
+    return state;
+}
+
+void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, bool edgesOnly) {
+    const auto pass = frame.pass(edgesOnly ? "show silhouettes" : "show volumes");
+    const gl::Texture picture = backdrop(frame);
+    const gl::Framebuffer target({{&picture}}, {&frame.gbuffer->depth}, "volume view");
+    target.bind();
+    gl::DrawState state = overlay();
+    gl::apply(state);
+    VolumeLook look{.fragmentPath = kTintPath};
+    if (!edgesOnly) {
+        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, volumes.casters(), look);
+        state.wireframe = true;
+        gl::apply(state);
+        look.defines = {{"OUTLINE", ""}};
+        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, volumes.casters(), look);
+    } else {
+        // Sides cut short, seen through everything.
+        state.depthTest = false;
+        gl::apply(state);
+        look.defines = {{"OUTLINE", ""}};
+        look.distance_m = kFin * glm::length(frame.gpuScene->casterUpper() - frame.gpuScene->casterLower());
+        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, volumes.casters(), look);
+    }
+    frame.expose(edgesOnly ? kSilhouette : kQuads, picture, ShowAs::Color);
+}
+
+void showFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes) {
+    const auto pass = frame.pass("show fill");
+    const gl::Texture count({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
+    const gl::Framebuffer target({{&count}}, {}, "volume fill");
+    target.bind();
+    target.clearColor(0, glm::vec4(0));
+    gl::DrawState state;
+    state.blend = true;
+    state.depthClamp = frame.view.orthographic;
+    gl::apply(state);
+    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, volumes.casters(),
+                 {.fragmentPath = "shared/volume_one.frag"});
+    frame.expose(kFill, count, ShowAs::Count);
+}
+
+}  // namespace
+
+std::vector<PassInfo> volumePasses() {
+    return {{kStencil, "count of volumes that hold the visible surface"},
+            {kQuads, "the volumes' sides, translucent, with their outlines"},
+            {kSilhouette, "the edges that are extruded"},
+            {kFill, "triangles of volumes over each pixel"}};
+}
+
+void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes) {
+    if (frame.wants(kStencil)) frame.expose(kStencil, frame.gbuffer->depth, ShowAs::Stencil);
+    if (frame.wants(kQuads)) showQuads(frame, light, volumes, false);
+    if (frame.wants(kSilhouette)) showQuads(frame, light, volumes, true);
+    if (frame.wants(kFill)) showFill(frame, light, volumes);
+}
+
+}  // namespace ombrage
