@@ -62,7 +62,8 @@ void VolumeCounter::draw(gl::DrawState state, VolumePart first, VolumePart last,
 void VolumeCounter::zPass(const VolumeChoice& chosen, bool clampDepth) const {
     if (m_region.empty) return;
     gl::DrawState state = this->state();
-    state.depthClamp = state.depthClamp || clampDepth;
+    // Without the clamp an orthographic far plane cuts what lies behind everything, and the near plane what it must.
+    state.depthClamp = clampDepth;
     state.stencilFront.depthPass = GL_INCR_WRAP;
     state.stencilBack.depthPass = GL_DECR_WRAP;
     // The dark caps of endless volumes lie behind everything.
