@@ -35,8 +35,7 @@ VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowV
 
 void reportFill(FrameContext& frame, const VolumeFill& fill) {
     frame.counter("fill of z-fail", fill.all);
-    frame.counter("fill", fill.counted);
-    if (fill.all > 0) frame.counter("fill saved", 1.0 - fill.counted / fill.all);
+    frame.counter("fill saved", fill.all - fill.counted);
 }
 
 }  // namespace ombrage

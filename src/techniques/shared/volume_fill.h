@@ -16,7 +16,7 @@ struct VolumeFill {
 VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
                      const VolumeChoice& chosen, const gl::Texture* mask = nullptr);
 
-/// Puts "fill of z-fail", "fill" and "fill saved" (a share of the first) into the record.
+/// Puts "fill of z-fail" and, of it, "fill saved" into the record.
 void reportFill(FrameContext& frame, const VolumeFill& fill);
 
 }  // namespace ombrage
