@@ -7,8 +7,8 @@ namespace ombrage {
 
 /// Fragments of volumes, which is what the stencil has to do.
 struct VolumeFill {
-    double all = 0;       ///< of everything that z-fail draws
-    double counted = 0;   ///< of those, at the pixels where the mask is not 0; all of them without a mask
+    double all = 0;      ///< of everything that z-fail draws
+    double counted = 0;  ///< of those, at the pixels where the mask is not 0; all of them without a mask
 };
 
 /// Draws the volumes of the chosen instances once more to count their fragments, and waits for it: only where
