@@ -9,7 +9,7 @@
 uniform vec4 u_kernel[SAMPLES];   // offsets in the unit disk or half ball; w their weight
 uniform float u_radius_m;
 
-in vec2 v_uv;
+noperspective in vec2 v_uv;
 layout(location = 0) out float o_visibility;
 
 const float kTwoPi = 6.28318530718;

@@ -8,7 +8,7 @@
 layout(binding = 5) uniform sampler2D t_input;
 uniform ivec2 u_step;   // (1,0) or (0,1)
 
-in vec2 v_uv;
+noperspective in vec2 v_uv;
 layout(location = 0) out float o_value;
 
 const float kLog2E = 1.44269504089;

@@ -95,10 +95,12 @@ public:
         if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
         m_footprint = m_views->footprint(p().resolution);
         m_range = m_views->range(frame.gpuScene->origin());
-        return {"shadow/map/map.glsl", m_views->defines(), [this](const gl::Program& program) {
+        return {"shadow/map/map.glsl", m_views->defines(),
+                [this](const gl::Program& program) {
                     m_views->setUniforms(program);
                     m_map.bind(kFirstFreeUnit);
-                }};
+                },
+                LightViews::perPass()};
     }
 
     TexelFootprint footprint() const override { return m_footprint; }
