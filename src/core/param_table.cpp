@@ -226,8 +226,8 @@ ParamValue ParamTable::parse(const ParamInfo& info, const std::string& text, con
 std::string ParamTable::glslBlock(unsigned binding) const {
     const std::string members = glslMembers(m_fields, "");
     if (members.empty()) return {};
-    return fmt::format("{}layout(std140, binding = {}) uniform Params {{\n{}}} params;\n", glslChoices(m_fields), binding,
-                       members);
+    return fmt::format("{}layout(std140, binding = {}) uniform Params {{\n{}}} params;\n", glslChoices(m_fields),
+                       binding, members);
 }
 
 std::string ParamTable::flatMembers() const {

@@ -57,7 +57,9 @@ void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
     recorder->passes.back().triangles += triangles;
 }
 
-void FrameContext::counter(const std::string& name, double value) { recorder->counters[name] += value; }
+void FrameContext::counter(const std::string& name, double value) {
+    recorder->counters[name] += value;
+}
 
 bool FrameContext::wants(const std::string& name) const {
     return recorder->capturing && (recorder->wantsAll || recorder->wanted.count(name + recorder->suffix) > 0);
@@ -80,7 +82,8 @@ const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::S
     defines.insert(defines.end(), own.begin(), own.end());
     if (recorder->lightType) defines.emplace_back("LIGHT_TYPE", std::to_string(int(*recorder->lightType)));
 
-    // The technique's own block: uploaded when its bytes changed, bound anew because every technique shares the binding.
+    // The technique's own block: uploaded when its bytes changed, bound anew because every technique shares the
+    // binding.
     auto& block = recorder->blocks[&technique];
     std::vector<std::byte> bytes = table.packBlock(technique.params());
     if (!bytes.empty()) {

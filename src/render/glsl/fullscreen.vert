@@ -9,7 +9,6 @@
 #include "ombrage/per_pass_lookup.glsl"
 
 noperspective out vec2 v_uv;          // (0,0) lower left, (1,1) upper right
-noperspective out vec2 v_pixel;       // gl_FragCoord.xy where the viewport is the picture's
 noperspective out vec3 v_rayStart;    // the pixel's ray: p = start + along * distance along the view axis
 noperspective out vec3 v_rayAlong;
 
@@ -23,7 +22,6 @@ void main() {
 
     vec2 corner = vec2(float((gl_VertexID & 1) << 2), float((gl_VertexID & 2) << 1));
     v_uv = corner * 0.5;
-    v_pixel = v_uv * frame.viewport.xy;
     vec2 plane = (corner - 1.0) * frame.projection.zw;
     vec3 aside = frame.worldFromView[0].xyz * plane.x + frame.worldFromView[1].xyz * plane.y;
     v_rayStart = frame.eye.xyz + (isOrthographic() ? aside : vec3(0.0));

@@ -15,7 +15,7 @@ layout(binding = 5) uniform sampler2D t_visibility;
 layout(binding = 3) uniform sampler2D t_ao;
 layout(binding = 4) uniform sampler2D t_indirect;
 
-noperspective in vec2 v_pixel;
+noperspective in vec2 v_uv;
 noperspective in vec3 v_rayStart;
 noperspective in vec3 v_rayAlong;
 layout(location = 0) out vec4 o_color;
@@ -35,8 +35,8 @@ vec3 metallicRoughness(vec3 albedo, float metallic, float roughness, float nl, f
 }
 
 void main() {
-    ivec2 px = ivec2(v_pixel);
-    uvec4 surface = gbufferSurface(px);
+    ivec2 px = ivec2(v_uv * frameViewport.xy);
+    uvec4 surface = gbufferSurfaceAt(v_uv);
     vec3 albedo = unpackedAlbedo(surface.z);
     vec3 color = vec3(0.0);
 #if defined(EMISSION) || defined(EXCEPTIONS)
@@ -57,7 +57,7 @@ void main() {
 #endif
 
 #ifdef LIGHT_TYPE
-    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepth(px));
+    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepthAt(v_uv));
     float distance_m;
     vec3 l = directionToLight(p_world, distance_m);
     vec3 n_s = shadingNormalOf(surface);
