@@ -8,7 +8,8 @@ FOLDER holds a program per renderer, FOLDER/NAME/run.sh SCENE.bin WIDTH HEIGHT T
 "ms_median", the time of a whole finished frame, and FOLDER/scene/scene.bin: 'PSCN', four uint32 (vertices, triangles, and
 how many of each belong to the ground, which casts nothing), then float positions, float normals, uint32 corners.
 Renderers that are not there, or fail, are left out and named. Figures are medians over the rounds; "added" is over
-the same renderer's "none" in the same round.
+the same renderer's "none" in the same round. "Least" compares the quickest single frames of all rounds, which other work on
+the machine disturbs least.
 
 "map" draws the light's map anew in every frame, as the others do; "map kept" keeps it while neither light nor casters
 move, which they do not here, as Ombrage does by default.
@@ -84,7 +85,8 @@ def processor_ms(command_of, frames):
         if done.returncode != 0:
             return None
         spent.append(1e3 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime))
-    return (spent[1] - spent[0]) / (frames - frames // 4)
+    ms = (spent[1] - spent[0]) / (frames - frames // 4)
+    return {"median": ms, "least": ms}
 
 
 def processor_round(program, scene, folder, frames):
@@ -103,7 +105,8 @@ def run_peer(folder, name, technique, frames):
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=300)
         lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-        return json.loads(lines[-1])["ms_median"] if lines else None
+        result = json.loads(lines[-1]) if lines else {}
+        return {"median": result["ms_median"], "least": result["ms_min"]} if result else None
     except (OSError, subprocess.TimeoutExpired, ValueError, KeyError):
         return None
 
@@ -114,7 +117,9 @@ def run_ours(program, scene, frames):
         command += ["--shadow", technique]
     result = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
     names = ["loop none", "loop hard", *OURS]
-    return {name: subject["ms_median"] for name, subject in zip(names, result["subjects"])}, result["renderer"]
+    return {
+        name: {"median": subject["ms_median"], "least": subject["ms_least"]} for name, subject in zip(names, result["subjects"])
+    }, result["renderer"]
 
 
 def main():
@@ -143,20 +148,30 @@ def main():
         rounds.append(times)
         print(f"round {number + 1} of {options.rounds}", file=sys.stderr)
 
+    def spread(ratios, least):
+        if not ratios:
+            return "not measured"
+        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}], least {least:.2f}"
+
+    def least(name):
+        return min((r[name]["least"] for r in rounds if r.get(name)), default=float("nan"))
+
     def over(a, b):
-        ratios = [r[a] / r[b] for r in rounds if r.get(a) and r.get(b)]
-        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}]" if ratios else "not measured"
+        return spread([r[a]["median"] / r[b]["median"] for r in rounds if r.get(a) and r.get(b)], least(a) / least(b))
 
     def added_over(a, a0, b, b0):
-        ratios = [(r[a] - r[a0]) / (r[b] - r[b0]) for r in rounds if all(r.get(k) for k in (a, a0, b, b0)) and r[b] > r[b0]]
-        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}]" if ratios else "not measured"
+        def added(r, name, none):
+            return r[name]["median"] - r[none]["median"]
+
+        ratios = [added(r, a, a0) / added(r, b, b0) for r in rounds if all(r.get(k) for k in (a, a0, b, b0)) and added(r, b, b0) > 0]
+        return spread(ratios, (least(a) - least(a0)) / (least(b) - least(b0)))
 
     clock = "processor time" if options.processor else "wall clock"
     print(f"{SIZE[0]}x{SIZE[1]}, {device or 'device as in the other table'}, {clock}, {options.rounds} rounds of {options.frames} frames\n")
-    print("| what | ms, median |\n|---|---|")
+    print("| what | ms, median | least |\n|---|---|---|")
     for name in rounds[0]:
-        values = [r[name] for r in rounds if r.get(name)]
-        print(f"| {name} | {statistics.median(values):.1f} |" if values else f"| {name} | not measured |")
+        values = [r[name]["median"] for r in rounds if r.get(name)]
+        print(f"| {name} | {statistics.median(values):.1f} | {least(name):.1f} |" if values else f"| {name} | not measured | |")
     print("\n| ratio | median [least .. most] | asked for |\n|---|---|---|")
     print(f"| none / minimal loop none | {over('none', 'loop none')} | 1.0 |")
     print(f"| map / OSG ShadowMap, total | {over('map', 'osg ShadowMap')} | 1.0 |")
