@@ -2,17 +2,26 @@
 # SPDX-License-Identifier: MIT
 """Frame times of Ombrage beside other renderers on one scene, by turns in one run.
 
-usage: bench/peers.py FOLDER [--program build/release/bin/ombrage_bench_frames] [--rounds 5] [--frames 12] [--out results.json]
+usage: bench/peers.py FOLDER [--program build/release/bin/ombrage_bench_frames] [--rounds 5] [--frames 12] [--processor] [--out results.json]
 
 FOLDER holds a program per renderer, FOLDER/NAME/run.sh SCENE.bin WIDTH HEIGHT TECHNIQUE FRAMES, which prints a JSON line with
 "ms_median", the time of a whole finished frame, and FOLDER/scene/scene.bin: 'PSCN', four uint32 (vertices, triangles, and
 how many of each belong to the ground, which casts nothing), then float positions, float normals, uint32 corners.
 Renderers that are not there, or fail, are left out and named. Figures are medians over the rounds; "added" is over
-the same renderer's "none" in the same round.
+the same renderer's "none" in the same round. "Least" compares the quickest single frames of all rounds, which other work on
+the machine disturbs least.
+
+"map" draws the light's map anew in every frame, as the others do; "map kept" keeps it while neither light nor casters
+move, which they do not here, as Ombrage does by default.
+
+--processor measures the processor time of the whole process for each further frame in the place of the wall clock's: on a
+machine that is busy with other work it scatters less. It runs every program with a quarter of the frames and with all of them,
+and leaves three.js out, whose browser keeps processes that nobody waits for.
 """
 import argparse
 import json
 import pathlib
+import resource
 import statistics
 import struct
 import subprocess
@@ -23,7 +32,7 @@ PEERS = {
     "three": ["none", "Basic"],
     "ogre": ["none", "texture_additive", "stencil_additive"],
 }
-OURS = {"none": "none", "map": "map:resolution=2048,cache=false", "volume-zfail": "volume-zfail"}
+OURS = {"none": "none", "map": "map:resolution=2048,cache=false", "map kept": "map:resolution=2048", "volume-zfail": "volume-zfail"}
 SIZE = (1280, 720)
 
 
@@ -59,12 +68,45 @@ def write_scene(binary, folder):
     return path
 
 
+def peer_command(folder, name, technique, frames):
+    return [folder / name / "run.sh", folder / "scene/scene.bin", *map(str, SIZE), technique, str(frames), folder / "scene/ombrage/peer.png"]
+
+
+def processor_ms(command_of, frames):
+    """Processor time per frame, from the difference of two runs: what starts and ends a program falls out."""
+    spent = []
+    for count in (frames // 4, frames):
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        try:
+            done = subprocess.run(command_of(count), capture_output=True, timeout=300)
+        except (OSError, subprocess.TimeoutExpired):
+            return None
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if done.returncode != 0:
+            return None
+        spent.append(1e3 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime))
+    ms = (spent[1] - spent[0]) / (frames - frames // 4)
+    return {"median": ms, "least": ms}
+
+
+def processor_round(program, scene, folder, frames):
+    times = {}
+    for name, technique in OURS.items():
+        times[name] = processor_ms(
+            lambda count: [program, scene, "--rounds", "1", "--frames", str(count), "--shadow", technique], frames)
+    for name, techniques in PEERS.items():
+        for technique in techniques if name != "three" else []:
+            times[f"{name} {technique}"] = processor_ms(lambda count: peer_command(folder, name, technique, count), frames)
+    return times
+
+
 def run_peer(folder, name, technique, frames):
-    command = [folder / name / "run.sh", folder / "scene/scene.bin", *map(str, SIZE), technique, str(frames), folder / "scene/ombrage/peer.png"]
+    command = peer_command(folder, name, technique, frames)
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=300)
         lines = [line for line in done.stdout.splitlines() if line.startswith("{")]
-        return json.loads(lines[-1])["ms_median"] if lines else None
+        result = json.loads(lines[-1]) if lines else {}
+        return {"median": result["ms_median"], "least": result["ms_min"]} if result else None
     except (OSError, subprocess.TimeoutExpired, ValueError, KeyError):
         return None
 
@@ -75,7 +117,9 @@ def run_ours(program, scene, frames):
         command += ["--shadow", technique]
     result = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
     names = ["loop none", "loop hard", *OURS]
-    return {name: subject["ms_median"] for name, subject in zip(names, result["subjects"])}, result["renderer"]
+    return {
+        name: {"median": subject["ms_median"], "least": subject["ms_least"]} for name, subject in zip(names, result["subjects"])
+    }, result["renderer"]
 
 
 def main():
@@ -84,6 +128,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=pathlib.Path("build/release/bin/ombrage_bench_frames"))
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--frames", type=int, default=12)
+    parser.add_argument("--processor", action="store_true")
     parser.add_argument("--out", type=pathlib.Path)
     options = parser.parse_args()
 
@@ -93,37 +138,53 @@ def main():
     scene = write_scene(folder / "scene/scene.bin", scratch)
     rounds, device = [], ""
     for number in range(options.rounds):
-        times, device = run_ours(options.program, scene, options.frames)
-        for name, techniques in PEERS.items():
-            for technique in techniques:
-                times[f"{name} {technique}"] = run_peer(folder, name, technique, options.frames)
+        if options.processor:
+            times = processor_round(options.program, scene, folder, options.frames)
+        else:
+            times, device = run_ours(options.program, scene, options.frames)
+            for name, techniques in PEERS.items():
+                for technique in techniques:
+                    times[f"{name} {technique}"] = run_peer(folder, name, technique, options.frames)
         rounds.append(times)
         print(f"round {number + 1} of {options.rounds}", file=sys.stderr)
 
+    def spread(ratios, least):
+        if not ratios:
+            return "not measured"
+        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}], least {least:.2f}"
+
+    def least(name):
+        return min((r[name]["least"] for r in rounds if r.get(name)), default=float("nan"))
+
     def over(a, b):
-        ratios = [r[a] / r[b] for r in rounds if r.get(a) and r.get(b)]
-        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}]" if ratios else "not measured"
+        return spread([r[a]["median"] / r[b]["median"] for r in rounds if r.get(a) and r.get(b)], least(a) / least(b))
 
     def added_over(a, a0, b, b0):
-        ratios = [(r[a] - r[a0]) / (r[b] - r[b0]) for r in rounds if all(r.get(k) for k in (a, a0, b, b0)) and r[b] > r[b0]]
-        return f"{statistics.median(ratios):.2f} [{min(ratios):.2f} .. {max(ratios):.2f}]" if ratios else "not measured"
+        def added(r, name, none):
+            return r[name]["median"] - r[none]["median"]
 
-    print(f"{SIZE[0]}x{SIZE[1]}, {device}, {options.rounds} rounds of {options.frames} frames\n")
-    print("| what | ms, median |\n|---|---|")
+        ratios = [added(r, a, a0) / added(r, b, b0) for r in rounds if all(r.get(k) for k in (a, a0, b, b0)) and added(r, b, b0) > 0]
+        return spread(ratios, (least(a) - least(a0)) / (least(b) - least(b0)))
+
+    clock = "processor time" if options.processor else "wall clock"
+    print(f"{SIZE[0]}x{SIZE[1]}, {device or 'device as in the other table'}, {clock}, {options.rounds} rounds of {options.frames} frames\n")
+    print("| what | ms, median | least |\n|---|---|---|")
     for name in rounds[0]:
-        values = [r[name] for r in rounds if r.get(name)]
-        print(f"| {name} | {statistics.median(values):.1f} |" if values else f"| {name} | not measured |")
+        values = [r[name]["median"] for r in rounds if r.get(name)]
+        print(f"| {name} | {statistics.median(values):.1f} | {least(name):.1f} |" if values else f"| {name} | not measured | |")
     print("\n| ratio | median [least .. most] | asked for |\n|---|---|---|")
     print(f"| none / minimal loop none | {over('none', 'loop none')} | 1.0 |")
     print(f"| map / OSG ShadowMap, total | {over('map', 'osg ShadowMap')} | 1.0 |")
+    print(f"| map kept / OSG ShadowMap, total | {over('map kept', 'osg ShadowMap')} | |")
     print(f"| map / OSG ShadowMap, added | {added_over('map', 'none', 'osg ShadowMap', 'osg none')} | 1.0 |")
     print(f"| map / three.js Basic, total | {over('map', 'three Basic')} | 1.0 |")
     print(f"| map / three.js Basic, added | {added_over('map', 'none', 'three Basic', 'three none')} | 1.0 |")
     print(f"| map / OGRE texture shadows, total | {over('map', 'ogre texture_additive')} | 1.2 |")
+    print(f"| map kept / OGRE texture shadows, total | {over('map kept', 'ogre texture_additive')} | |")
     print(f"| volume-zfail / OGRE stencil additive, added "
           f"| {added_over('volume-zfail', 'none', 'ogre stencil_additive', 'ogre none')} | 1.0 |")
     if options.out:
-        options.out.write_text(json.dumps({"device": device, "size": SIZE, "frames": options.frames, "rounds": rounds}, indent=1))
+        options.out.write_text(json.dumps({"device": device, "clock": clock, "size": SIZE, "frames": options.frames, "rounds": rounds}, indent=1))
 
 
 if __name__ == "__main__":

@@ -113,6 +113,25 @@ std::vector<int> layoutOffsets(const std::vector<ParamField>& fields, int& size)
     return offsets;
 }
 
+/// "    PREFIXTYPE NAME;" of every Uniform field.
+std::string glslMembers(const std::vector<ParamField>& fields, const char* prefix) {
+    std::string members;
+    for (const ParamField& field : fields)
+        if (field.info.effect == ParamEffect::Uniform)
+            members += fmt::format("    {}{} {};\n", prefix, glslType(field.info.type), identifierOf(field.info.key));
+    return members;
+}
+
+/// The constants of the choices of every Uniform field.
+std::string glslChoices(const std::vector<ParamField>& fields) {
+    std::string constants;
+    for (const ParamField& field : fields)
+        for (std::size_t i = 0; field.info.effect == ParamEffect::Uniform && i < field.info.choices.size(); ++i)
+            constants += fmt::format("const int {}_{} = {};\n", upperIdentifierOf(field.info.key),
+                                     upperIdentifierOf(field.info.choices[i]), i);
+    return constants;
+}
+
 }  // namespace
 
 const ParamField& ParamTable::find(const std::string& key, const std::string& owner) const {
@@ -205,17 +224,38 @@ ParamValue ParamTable::parse(const ParamInfo& info, const std::string& text, con
 }
 
 std::string ParamTable::glslBlock(unsigned binding) const {
-    std::string constants, members;
+    const std::string members = glslMembers(m_fields, "");
+    if (members.empty()) return {};
+    return fmt::format("{}layout(std140, binding = {}) uniform Params {{\n{}}} params;\n", glslChoices(m_fields),
+                       binding, members);
+}
+
+std::string ParamTable::flatMembers() const {
+    constexpr std::size_t kMostWords = 16;  // of the 64 components that every vertex stage may hand over
+    std::size_t words = 0;
     for (const ParamField& field : m_fields) {
         if (field.info.effect != ParamEffect::Uniform) continue;
-        const std::string name = identifierOf(field.info.key);
-        members += fmt::format("    {} {};\n", glslType(field.info.type), name);
-        for (std::size_t i = 0; i < field.info.choices.size(); ++i)
-            constants += fmt::format("const int {}_{} = {};\n", upperIdentifierOf(field.info.key),
-                                     upperIdentifierOf(field.info.choices[i]), i);
+        if (field.info.type == ParamType::Bool) return {};  // no such inputs in GLSL
+        words += field.info.type == ParamType::Vec3 ? 3 : 1;
     }
-    if (members.empty()) return {};
-    return fmt::format("{}layout(std140, binding = {}) uniform Params {{\n{}}} params;\n", constants, binding, members);
+    return words <= kMostWords ? glslMembers(m_fields, "flat ") : std::string();
+}
+
+std::string ParamTable::glslPerPass(unsigned binding) const {
+    const std::string members = flatMembers();
+    if (members.empty()) return glslBlock(binding);
+    return fmt::format("{}in PassedParams {{\n{}}} params;\n", glslChoices(m_fields), members);
+}
+
+std::string ParamTable::glslPassing(unsigned binding) const {
+    const std::string members = flatMembers();
+    if (members.empty()) return "void passParams() {}\n";
+    std::string copies;
+    for (const ParamField& field : m_fields)
+        if (field.info.effect == ParamEffect::Uniform)
+            copies += fmt::format("    passedParams.{0} = params.{0};\n", identifierOf(field.info.key));
+    return fmt::format("{}out PassedParams {{\n{}}} passedParams;\nvoid passParams() {{\n{}}}\n", glslBlock(binding),
+                       members, copies);
 }
 
 std::vector<std::pair<std::string, std::string>> ParamTable::glslDefines(const void* params) const {

@@ -44,6 +44,13 @@ public:
     /// enums, and nothing for the rest. Keys become identifiers: '-' turns into '_'. Empty when there is nothing to say.
     std::string glslBlock(unsigned binding) const;
 
+    /// The same names for the fragments of a full-screen pass, as flat inputs that glslPassing() writes; the block itself
+    /// where that cannot be (a bool, or more than 16 numbers).
+    std::string glslPerPass(unsigned binding) const;
+
+    /// GLSL of that pass's vertex stage: `void passParams()`.
+    std::string glslPassing(unsigned binding) const;
+
     /// Name and value of the #define of every Define field: key in capitals; enums also define KEY_CHOICE constants.
     std::vector<std::pair<std::string, std::string>> glslDefines(const void* params) const;
 
@@ -57,6 +64,9 @@ public:
     std::string markdown() const;
 
 private:
+    /// "    flat TYPE NAME;" of the Uniform fields; empty where they cannot be passed.
+    std::string flatMembers() const;
+
     std::vector<ParamField> m_fields;
 };
 

@@ -225,6 +225,40 @@ TEST(ParamTable, GlslBlockNamesUniformFieldsAndChoices) {
     EXPECT_EQ(ParamTable().packBlock(nullptr).size(), 0u);
 }
 
+struct Passable {
+    int blur = 2;
+    glm::vec3 tint{0.5f};
+    float bias = 1;
+    bool cache = true;
+    static ParamTable describe() {
+        using P = Passable;
+        return fields(field(&P::blur, "blur"), field(&P::tint, "tint"), field(&P::bias, "max-bias"),
+                      field(&P::cache, "cache").effect(ParamEffect::Host));
+    }
+};
+
+TEST(ParamTable, GlslOfAFullScreenPassHandsTheBlockOver) {
+    const ParamTable small = Passable::describe();
+    const std::string flats = "    flat int blur;\n    flat vec3 tint;\n    flat float max_bias;\n";
+    EXPECT_EQ(small.glslPerPass(1), "in PassedParams {\n" + flats + "} params;\n");
+    EXPECT_EQ(small.glslPassing(1), small.glslBlock(1) + "out PassedParams {\n" + flats +
+                                        "} passedParams;\n"
+                                        "void passParams() {\n"
+                                        "    passedParams.blur = params.blur;\n"
+                                        "    passedParams.tint = params.tint;\n"
+                                        "    passedParams.max_bias = params.max_bias;\n"
+                                        "}\n");
+    // A bool cannot be handed over: the fragments then read the block.
+    EXPECT_EQ(table().glslPerPass(1), table().glslBlock(1));
+    EXPECT_EQ(table().glslPassing(1), "void passParams() {}\n");
+    // Nor can more than 16 numbers be counted on.
+    std::vector<ParamField> many(6, small.find("tint", "t"));
+    EXPECT_EQ(ParamTable(many).glslPerPass(1), ParamTable(many).glslBlock(1));
+    many.pop_back();
+    EXPECT_NE(ParamTable(many).glslPerPass(1), ParamTable(many).glslBlock(1));
+    EXPECT_EQ(ParamTable().glslPerPass(1), "");
+}
+
 TEST(ParamTable, GlslDefinesAreLiteralsOfTheirType) {
     Everything p;
     p.fast = true;

@@ -79,14 +79,13 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
             const std::vector<gl::ShaderStage> stages = {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
                                                          {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}};
             if (lit && lit->lookup) {
-                defines.emplace_back("LOOKUP", "1");
+                define("LOOKUP", true);
                 defines.insert(defines.end(), lit->lookup->defines.begin(), lit->lookup->defines.end());
                 const gl::Program& program =
                     frame.program(*lit->technique, stages, std::move(defines), includeOf(*lit->lookup));
                 lit->lookup->bind(program);
-                program.set("u_ambient", frame.scene->ambient);
             } else {
-                frame.program(stages, std::move(defines), {kNoLookup}).set("u_ambient", frame.scene->ambient);
+                frame.program(stages, std::move(defines), {kNoLookup});
             }
             frame.drawSurfaces(i > 0);
         }

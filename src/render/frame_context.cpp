@@ -10,6 +10,20 @@
 
 namespace ombrage {
 
+namespace {
+
+constexpr const char* kFullscreenVertex = "ombrage/fullscreen.vert";
+
+/// Adds what tells the stages of a full-screen pass from others. Returns whether it is one.
+bool markFullscreen(const std::vector<gl::ShaderStage>& stages,
+                    std::vector<std::pair<std::string, std::string>>& defines) {
+    const bool is = !stages.empty() && stages.front().path == kFullscreenVertex;
+    if (is) defines.emplace_back("FULLSCREEN", "1");
+    return is;
+}
+
+}  // namespace
+
 glm::vec4 LightFrame::toward() const {
     return light->type == LightType::Sun ? glm::vec4(-direction, 0.0f) : glm::vec4(position, 1.0f);
 }
@@ -44,7 +58,9 @@ void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
     recorder->passes.back().triangles += triangles;
 }
 
-void FrameContext::counter(const std::string& name, double value) { recorder->counters[name] += value; }
+void FrameContext::counter(const std::string& name, double value) {
+    recorder->counters[name] += value;
+}
 
 bool FrameContext::wants(const std::string& name) const {
     return recorder->capturing && (recorder->wantsAll || recorder->wanted.count(name + recorder->suffix) > 0);
@@ -84,7 +100,8 @@ const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::S
     defines.insert(defines.end(), own.begin(), own.end());
     if (recorder->lightType) defines.emplace_back("LIGHT_TYPE", std::to_string(int(*recorder->lightType)));
 
-    // The technique's own block: uploaded when its bytes changed, bound anew because every technique shares the binding.
+    // The technique's own block: uploaded when its bytes changed, bound anew because every technique shares the
+    // binding.
     auto& block = recorder->blocks[&technique];
     std::vector<std::byte> bytes = table.packBlock(technique.params());
     if (!bytes.empty()) {
@@ -97,7 +114,10 @@ const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::S
         }
         block.buffer.bindUniform(kParamsBinding);
     }
-    virtuals.emplace_back(technique.entry().id() + "/params", table.glslBlock(kParamsBinding));
+    const bool perPass = markFullscreen(stages, defines);
+    virtuals.emplace_back(technique.entry().id() + "/params",
+                          perPass ? table.glslPerPass(kParamsBinding) : table.glslBlock(kParamsBinding));
+    if (perPass) virtuals.emplace_back("ombrage/per_pass_params.glsl", table.glslPassing(kParamsBinding));
     const gl::Program& made = shaders->program({std::move(stages), std::move(defines), std::move(virtuals)});
     made.use();
     return made;
@@ -106,6 +126,7 @@ const gl::Program& FrameContext::program(Technique& technique, std::vector<gl::S
 const gl::Program& FrameContext::program(std::vector<gl::ShaderStage> stages,
                                          std::vector<std::pair<std::string, std::string>> defines,
                                          std::vector<std::pair<std::string, std::string>> virtuals) {
+    markFullscreen(stages, defines);
     const gl::Program& made = shaders->program({std::move(stages), std::move(defines), std::move(virtuals)});
     made.use();
     return made;
@@ -113,7 +134,7 @@ const gl::Program& FrameContext::program(std::vector<gl::ShaderStage> stages,
 
 const gl::Program& FrameContext::fullscreenProgram(Technique& technique, const std::string& fragmentPath,
                                                    std::vector<std::pair<std::string, std::string>> defines) {
-    return program(technique, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}},
+    return program(technique, {{GL_VERTEX_SHADER, kFullscreenVertex}, {GL_FRAGMENT_SHADER, fragmentPath}},
                    std::move(defines));
 }
 

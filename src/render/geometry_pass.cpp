@@ -14,7 +14,7 @@ struct FrameBlock {
 
 /// The variant of gbuffer.frag that a batch needs.
 std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batch, const FrameContext& frame,
-                                                           bool masked) {
+                                                           bool masked, bool frontOnly) {
     const auto has = [&](std::size_t map) { return batch.textures[map] >= 0; };
     std::vector<std::pair<std::string, std::string>> defines;
     const auto define = [&](const char* name) { defines.emplace_back(name, "1"); };
@@ -26,6 +26,7 @@ std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batc
         define("HEIGHT_MAP");
     if (frame.gbuffer->layout.material && has(3)) define("METALLIC_ROUGHNESS_MAP");
     if (!defines.empty()) define("UV");
+    if (frontOnly) define("FRONT_ONLY");
     if (frame.gpuScene->hasVertexColors()) define("VERTEX_COLORS");
     if (frame.gbuffer->layout.material) define("MATERIAL_PLANE");
     return defines;
@@ -59,7 +60,7 @@ void GeometryPass::uploadFrameBlock(const FrameContext& frame) {
                            view.clipFromWorld,
                            view.worldFromView,
                            glm::vec4(view.eye, view.orthographic ? 1.0f : 0.0f),
-                           glm::vec4(view.forward, 0.0f),
+                           glm::vec4(view.forward, frame.scene->ambient),
                            glm::vec4(frame.width, frame.height, 1.0f / float(frame.width), 1.0f / float(frame.height)),
                            glm::vec4(view.near_m, view.far_m, halfHeight * aspect, halfHeight),
                            glm::uvec4(frame.seed, frame.frameIndex, 0u, 0u)};
@@ -87,10 +88,11 @@ void GeometryPass::draw(FrameContext& frame) const {
     };
     const auto draw = [&](DrawFilter::Alpha alpha) {
         for (const DrawBatch& batch : frame.gpuScene->batches({.alpha = alpha})) {
-            state.cull = seesBackFaces(batch) ? GL_NONE : GL_BACK;
+            const bool frontOnly = !seesBackFaces(batch);
+            state.cull = frontOnly ? GL_BACK : GL_NONE;
             gl::apply(state);
             frame.program({{GL_VERTEX_SHADER, "ombrage/gbuffer.vert"}, {GL_FRAGMENT_SHADER, "ombrage/gbuffer.frag"}},
-                          definesOf(batch, frame, alpha == DrawFilter::Alpha::MaskedOnly));
+                          definesOf(batch, frame, alpha == DrawFilter::Alpha::MaskedOnly, frontOnly));
             const DrawCounts counts = frame.gpuScene->draw(batch, false);
             frame.countDraw(counts.draws, counts.triangles);
         }

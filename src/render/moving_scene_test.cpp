@@ -58,6 +58,114 @@ TEST_F(MovingSceneTest, WhatMovesIsSeenAndWhatStaysIsKept) {
     }
 }
 
+/// A ground that casts nothing and a box that does.
+class KeptMapTest : public MovingSceneTest {
+protected:
+    void SetUp() override {
+        MovingSceneTest::SetUp();
+        scene = loadScene("gap");
+        for (Instance& instance : scene.instances) {
+            Model& model = scene.models[std::size_t(instance.model)];
+            model.casts = model.name == "box";
+            (model.casts ? box : receiver) = &instance;
+        }
+        ASSERT_TRUE(box != nullptr && receiver != nullptr);
+        settings = small("map:resolution=256");
+        settings.images = false;
+        EXPECT_TRUE(drewTheMap(render(scene, settings))) << "nothing is kept yet";
+    }
+
+    /// Goes on with the scene as it stands now.
+    bool drawsAfterMoving() {
+        renderer().moveScene(scene);
+        return drewTheMap(again(settings));
+    }
+
+    Scene scene;
+    Instance *box = nullptr, *receiver = nullptr;
+    RenderSettings settings;
+};
+
+TEST_F(KeptMapTest, APlainLoopDrawsItOnce) {
+    for (int i = 0; i < 3; ++i) EXPECT_FALSE(drewTheMap(again(settings)));
+    // Nothing that the light's depth shows.
+    scene.lights[0].intensity *= 2;
+    scene.lights[0].color = {1, 0.5f, 0.25f};
+    EXPECT_FALSE(drawsAfterMoving());
+    settings.height *= 2;
+    EXPECT_TRUE(drewTheMap(again(settings))) << "another size of picture starts anew";
+    EXPECT_FALSE(drewTheMap(again(settings)));
+}
+
+TEST_F(KeptMapTest, ALightThatMovesDrawsItAnew) {
+    scene.lights[0].direction = glm::normalize(scene.lights[0].direction + glm::vec3(0.3f, 0, 0));
+    EXPECT_TRUE(drawsAfterMoving());
+    EXPECT_FALSE(drawsAfterMoving());
+    // A sun has no position.
+    ASSERT_EQ(scene.lights[0].type, LightType::Sun);
+    scene.lights[0].position.x += 1;
+    EXPECT_FALSE(drawsAfterMoving());
+}
+
+TEST_F(KeptMapTest, ACasterThatMovesDrawsItAnewAndAReceiverDoesNot) {
+    box->worldFromLocal[3].x += 0.2;
+    EXPECT_TRUE(drawsAfterMoving());
+    EXPECT_FALSE(drawsAfterMoving());
+    // The ground turned in its own plane by nothing that moves its bounds: half a turn.
+    receiver->worldFromLocal = receiver->worldFromLocal * glm::dmat4(glm::dvec4(-1, 0, 0, 0), glm::dvec4(0, 1, 0, 0),
+                                                                     glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 0, 0, 1));
+    EXPECT_FALSE(drawsAfterMoving());
+    // A turn that leaves the box within the same bounds is a move all the same.
+    box->worldFromLocal = box->worldFromLocal * glm::dmat4(glm::dvec4(-1, 0, 0, 0), glm::dvec4(0, 1, 0, 0),
+                                                           glm::dvec4(0, 0, -1, 0), glm::dvec4(0, 0, 0, 1));
+    EXPECT_TRUE(drawsAfterMoving());
+    const RenderResult moved = again(settings);
+    EXPECT_EQ(moved.picture, render(scene, settings).picture) << "the same as without a past";
+}
+
+TEST_F(KeptMapTest, ParametersDrawItAnew) {
+    settings.shadow = parsePipeline(Family::Shadow, "map:resolution=128");
+    EXPECT_TRUE(drewTheMap(again(settings)));
+    EXPECT_FALSE(drewTheMap(again(settings)));
+    settings.shadow = parsePipeline(Family::Shadow, "map:resolution=128,cull=back");
+    EXPECT_TRUE(drewTheMap(again(settings)));
+    EXPECT_FALSE(drewTheMap(again(settings)));
+    settings.shadow = parsePipeline(Family::Shadow, "map:resolution=128,cull=back,cache=false");
+    for (int i = 0; i < 2; ++i) EXPECT_TRUE(drewTheMap(again(settings))) << "it is asked to";
+}
+
+TEST_F(KeptMapTest, ACameraDrawsItAnewOnlyWhereTheMapIsFittedToTheView) {
+    scene = loadScene("long-view");  // of which a camera never sees all casters
+    for (const bool isFitted : {false, true}) {
+        settings.shadow = parsePipeline(Family::Shadow, isFitted ? "map:resolution=64,fit=view" : "map:resolution=64");
+        EXPECT_TRUE(drewTheMap(render(scene, settings)));
+        EXPECT_FALSE(drewTheMap(again(settings)));
+        scene.cameras[0].position.y += 5;
+        scene.cameras[0].target.x += 5;
+        EXPECT_EQ(drawsAfterMoving(), isFitted);
+        EXPECT_FALSE(drawsAfterMoving());
+    }
+}
+
+TEST_F(KeptMapTest, AnimationsDrawItAnewWhereTheyMoveTheLight) {
+    scene.animations = {{"orbit-camera", "", 12}};
+    render(scene, settings);
+    for (const double time_s : {1.0, 2.0, 2.0, 0.0}) {
+        settings.time_s = time_s;
+        EXPECT_FALSE(drewTheMap(again(settings))) << time_s;
+    }
+    scene.animations = {{"orbit-light", scene.lights[0].name, 12}};
+    settings.time_s = 0;
+    render(scene, settings);
+    for (const double time_s : {1.0, 2.0}) {
+        settings.time_s = time_s;
+        EXPECT_TRUE(drewTheMap(again(settings))) << time_s;
+        EXPECT_FALSE(drewTheMap(again(settings))) << time_s;
+    }
+    const RenderResult later = again(settings);
+    EXPECT_EQ(later.picture, render(scene, settings).picture) << "the same as without a past";
+}
+
 TEST_F(MovingSceneTest, AnotherSceneIsRefused) {
     Scene scene = loadScene("gap");
     const RenderSettings settings = small("map:resolution=256");

@@ -40,7 +40,8 @@ struct Renderer::Impl {
     FrameContext::Recorder recorder;
     std::unique_ptr<GpuScene> gpuScene;
     const Scene* scene = nullptr;
-    Scene moved;  ///< the scene at the requested time, when it is animated
+    Scene posed;                       ///< the scene at the requested time, when it is animated
+    const Scene* posedFrom = nullptr;  ///< what `posed` is but for what moves
     std::unique_ptr<GBuffer> gbuffer;
     GeometryPass geometry;
     Composer composer;
@@ -63,6 +64,8 @@ struct Renderer::Impl {
 
     void upload(const Scene& next);
     void moveScene(const Scene& next);
+    void show(const Scene& next);
+    void poseScene(double time_s);
     void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
@@ -160,12 +163,33 @@ void Renderer::Impl::moveScene(const Scene& next) {
         throw Error(ErrorCode::Usage, "the scene '" + next.name + "' has other parts than the one to be moved",
                     "call setScene for another scene");
     scene = &next;
+    show(next);
+}
+
+/// The same parts where `next` has them: geometry goes up again only when instances moved.
+void Renderer::Impl::show(const Scene& next) {
     if (placements == placementsOf(next)) {
         gpuScene->follow(next);
         return;
     }
     upload(next);
     slots.sceneMoved();
+}
+
+void Renderer::Impl::poseScene(double time_s) {
+    const bool isAnimated = !scene->animations.empty() && time_s != 0;
+    if (!isAnimated) {
+        if (&gpuScene->scene() != scene) show(*scene);
+        return;
+    }
+    const TraceScope trace("animate");
+    if (posedFrom != scene) posed = *scene;
+    posedFrom = scene;
+    posed.cameras = scene->cameras;
+    posed.lights = scene->lights;
+    posed.instances = scene->instances;
+    animate(posed, time_s);
+    show(posed);
 }
 
 void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
@@ -397,17 +421,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     traceFact("device", device.renderer);
     traceFact("clock", device.clock);
 
-    // Animated scenes are moved to the asked time; the geometry goes up again only then.
-    if (!scene->animations.empty() && settings.time_s != 0) {
-        const TraceScope trace("animate");
-        moved = *scene;
-        animate(moved, settings.time_s);
-        upload(moved);
-        slots.invalidate();
-    } else if (&gpuScene->scene() != scene) {
-        upload(*scene);
-        slots.invalidate();
-    }
+    poseScene(settings.time_s);
 
     // An error in the middle of the last call may have left anything here.
     recorder.warnings = request.warnings;
@@ -515,6 +529,7 @@ void Renderer::setScene(const Scene& scene) {
     if (m_impl->context->isAdopted()) guard.emplace();
     const TraceScope trace("set scene");
     m_impl->scene = &scene;
+    m_impl->posedFrom = nullptr;
     m_impl->slots.clear();
     m_impl->upload(scene);
     m_impl->previousCamera.reset();

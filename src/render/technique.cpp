@@ -78,7 +78,8 @@ std::unique_ptr<Technique> createTechnique(const TechniqueSpec& spec) {
 }
 
 std::vector<std::pair<std::string, std::string>> includeOf(const ShadowLookup& lookup) {
-    return {{kShadowLookupPath, "#include \"" + lookup.path + "\"\n"}};
+    return {{kShadowLookupPath, "#include \"" + lookup.path + "\"\n"},
+            {"ombrage/per_pass_lookup.glsl", lookup.perPass}};
 }
 
 void ShadowLookupTechnique::render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) {

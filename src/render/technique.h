@@ -72,10 +72,13 @@ public:
 /// How a technique answers at any point of the scene, in whatever shader asks.
 struct ShadowLookup {
     /// GLSL that defines `float shadowVisibility(vec3 p_world, vec3 n_g)`, 1 = lit, of the bound light, for a point of a
-    /// surface with the unit normal n_g on the side seen.
+    /// surface with the normal n_g, of any length, on the side seen.
     std::string path;
     std::vector<std::pair<std::string, std::string>> defines;
     std::function<void(const gl::Program&)> bind;  ///< its textures, from kFirstFreeUnit on, and uniforms
+    /// GLSL of the vertex stage of a full-screen pass that defines `void passLookup()`, which writes what the lookup reads
+    /// as PER_PASS (ombrage/per_pass.glsl).
+    std::string perPass = "void passLookup() {}\n";
 };
 
 /// A technique that answers at any point: where nobody wants its image, lighting asks it pixel by pixel.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One variant per kind of material: BASE_COLOR_MAP, NORMAL_MAP (tangent space), HEIGHT_MAP (bump), METALLIC_ROUGHNESS_MAP,
-// ALPHA_MASK, UV for any of them; VERTEX_COLORS where the scene has any; MATERIAL_PLANE where lighting needs the material.
+// ALPHA_MASK, UV for any of them; VERTEX_COLORS where the scene has any; MATERIAL_PLANE where lighting needs the material;
+// FRONT_ONLY where back faces are culled.
 #include "ombrage/frame.glsl"
 #include "ombrage/octahedral.glsl"
 #include "ombrage/surface.glsl"
@@ -65,8 +66,14 @@ void main() {
     if (isHole(v_surface.w, v_uv)) discard;
 #endif
     // n_g of the triangle itself, turned to the side that the eye sees.
-    vec2 o_g = unpackSnorm2x16(v_surface.y);
-    if (!gl_FrontFacing) o_g = octahedralOpposite(o_g);
+    uint facet = v_surface.y;
+    vec2 o_g = octahedralFromWord(facet);
+#ifndef FRONT_ONLY
+    if (!gl_FrontFacing) {
+        o_g = octahedralOpposite(o_g);
+        facet = packSnorm2x16(o_g);
+    }
+#endif
 
     // The back has the reversed normal, as glTF 2 asks: what is a bump in front is a dent behind.
     vec3 n_s = v_normal;
@@ -87,7 +94,7 @@ void main() {
 #endif
     albedo = packedAlbedo(base);
 #endif
-    o_surface = uvec4(packSnorm2x16(o_g), packSnorm2x16(octahedralFromVector(n_s)), albedo, v_surface.z);
+    o_surface = uvec4(facet, packSnorm2x16(octahedralFromVector(n_s)), albedo, v_surface.z);
 
 #ifdef MATERIAL_PLANE
     o_material = v_material;

@@ -15,11 +15,17 @@ float gbufferDepth(ivec2 px) { return texelFetch(t_depth, px, 0).r; }
 // A whole texel, for passes that want several of what follows.
 uvec4 gbufferSurface(ivec2 px) { return texelFetch(t_surface, px, 0); }
 
-// n_g of a texel: unit normal of the triangle, towards the eye.
-vec3 geometricNormalOf(uvec4 surface) { return unitFromOctahedral(unpackSnorm2x16(surface.x)); }
+// Both of the pixel around a point of the picture, [0,1]: less work than texelFetch() for drivers to which a level of detail, even
+// of 0, is one per pixel (llvmpipe: 70 instructions in the place of 170).
+float gbufferDepthAt(vec2 uv) { return texture(t_depth, uv).r; }
+uvec4 gbufferSurfaceAt(vec2 uv) { return texture(t_surface, uv); }
+
+// n_g of a texel: normal of the triangle, towards the eye; as it is stored, of any length, and unit.
+vec3 geometricDirectionOf(uvec4 surface) { return vectorFromOctahedral(octahedralFromWord(surface.x)); }
+vec3 geometricNormalOf(uvec4 surface) { return normalize(geometricDirectionOf(surface)); }
 
 // n_s of a texel: interpolated and perturbed normal, on the side of n_g before perturbation.
-vec3 shadingNormalOf(uvec4 surface) { return unitFromOctahedral(unpackSnorm2x16(surface.y)); }
+vec3 shadingNormalOf(uvec4 surface) { return unitFromOctahedral(octahedralFromWord(surface.y)); }
 
 vec3 gbufferGeometricNormal(ivec2 px) { return geometricNormalOf(gbufferSurface(px)); }
 vec3 gbufferShadingNormal(ivec2 px) { return shadingNormalOf(gbufferSurface(px)); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // One light and its unshadowed irradiance.
 #include "ombrage/bindings.glsl"
+#include "ombrage/per_pass.glsl"
 
 #define LIGHT_SUN 0
 #define LIGHT_SPOT 1
@@ -11,7 +12,7 @@
 #ifdef LIGHT_TYPE
 #define LIGHT_IS(type) (LIGHT_TYPE == (type))
 #else
-#define LIGHT_IS(type) (int(light.color.w) == (type))
+#define LIGHT_IS(type) (int(lightColor.w) == (type))
 #endif
 
 layout(std140, binding = LIGHT_BINDING) uniform LightBlock {
@@ -24,6 +25,29 @@ layout(std140, binding = LIGHT_BINDING) uniform LightBlock {
     uvec4 exclusion;  // x first word of this light in b_exclusions, y 1 when it excludes anything
 } light;
 
+#if defined(PER_PASS) && defined(LIGHT_TYPE)
+PER_PASS vec4 lightPosition;
+PER_PASS vec4 lightDirection;
+PER_PASS vec4 lightColor;
+PER_PASS vec4 lightCone;
+#else
+#define lightPosition light.position
+#define lightDirection light.direction
+#define lightColor light.color
+#define lightCone light.cone
+#endif
+
+#ifdef FULLSCREEN_VERTEX
+void passLight() {
+#ifdef PER_PASS
+    lightPosition = light.position;
+    lightDirection = light.direction;
+    lightColor = light.color;
+    lightCone = light.cone;
+#endif
+}
+#endif
+
 layout(std430, binding = EXCLUSION_STORAGE) readonly buffer Exclusions { uint b_exclusions[]; };
 
 // Whether the light leaves this instance out: it neither lights nor shades it.
@@ -35,24 +59,24 @@ bool lightExcludes(uint instance) {
 vec3 directionToLight(vec3 p_world, out float distance_m) {
     if (LIGHT_IS(LIGHT_SUN)) {
         distance_m = 1e30;
-        return -light.direction.xyz;
+        return -lightDirection.xyz;
     }
-    vec3 d = light.position.xyz - p_world;
+    vec3 d = lightPosition.xyz - p_world;
     distance_m = length(d);
     return d / distance_m;
 }
 
 // Irradiance on a surface that faces the light squarely, all visibility left out. The light counts as its centre.
 vec3 irradianceFacing(vec3 l, float distance_m) {
-    if (!LIGHT_IS(LIGHT_SUN) && distance_m > light.direction.w) return vec3(0.0);
+    if (!LIGHT_IS(LIGHT_SUN) && distance_m > lightDirection.w) return vec3(0.0);
     float factor = 1.0;
     if (!LIGHT_IS(LIGHT_SUN)) factor /= distance_m * distance_m;
-    float alongAxis = dot(-l, light.direction.xyz);
+    float alongAxis = dot(-l, lightDirection.xyz);
     if (LIGHT_IS(LIGHT_SPOT)) {
         // The squared ramp between the cosines of KHR_lights_punctual.
-        float ramp = clamp((alongAxis - light.cone.y) / max(light.cone.x - light.cone.y, 1e-4), 0.0, 1.0);
+        float ramp = clamp((alongAxis - lightCone.y) / max(lightCone.x - lightCone.y, 1e-4), 0.0, 1.0);
         factor *= ramp * ramp;
     }
-    if (LIGHT_IS(LIGHT_RECT)) factor *= light.cone.w * max(alongAxis, 0.0);
-    return light.color.rgb * factor;
+    if (LIGHT_IS(LIGHT_RECT)) factor *= lightCone.w * max(alongAxis, 0.0);
+    return lightColor.rgb * factor;
 }

@@ -15,10 +15,9 @@ layout(binding = 5) uniform sampler2D t_visibility;
 layout(binding = 3) uniform sampler2D t_ao;
 layout(binding = 4) uniform sampler2D t_indirect;
 
-uniform float u_ambient;
-
-in vec3 v_rayStart;
-in vec3 v_rayAlong;
+noperspective in vec2 v_uv;
+noperspective in vec3 v_rayStart;
+noperspective in vec3 v_rayAlong;
 layout(location = 0) out vec4 o_color;
 
 const float kPi = 3.14159265358979;
@@ -36,8 +35,8 @@ vec3 metallicRoughness(vec3 albedo, float metallic, float roughness, float nl, f
 }
 
 void main() {
-    ivec2 px = ivec2(gl_FragCoord.xy);
-    uvec4 surface = gbufferSurface(px);
+    ivec2 px = ivec2(v_uv * frameViewport.xy);
+    uvec4 surface = gbufferSurfaceAt(v_uv);
     vec3 albedo = unpackedAlbedo(surface.z);
     vec3 color = vec3(0.0);
 #if defined(EMISSION) || defined(EXCEPTIONS)
@@ -47,7 +46,7 @@ void main() {
     color += b_materials[b_instances[instance].material].emissive.rgb;
 #endif
 #ifdef AMBIENT
-    float open = u_ambient;
+    float open = frameForward.w;
 #ifdef OCCLUSION
     open *= texelFetch(t_ao, px, 0).r;
 #endif
@@ -58,17 +57,13 @@ void main() {
 #endif
 
 #ifdef LIGHT_TYPE
-    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepth(px));
+    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepthAt(v_uv));
     float distance_m;
     vec3 l = directionToLight(p_world, distance_m);
     vec3 n_s = shadingNormalOf(surface);
     float nl = dot(n_s, l);
     // The geometric horizon shadows whatever the shading normal says, in the truth and here alike.
-#ifdef LOOKUP
-    vec3 n_g = geometricNormalOf(surface);
-#else
-    vec3 n_g = vectorFromOctahedral(unpackSnorm2x16(surface.x));   // of any length
-#endif
+    vec3 n_g = geometricDirectionOf(surface);
     bool lit = nl > 0.0 && dot(n_g, l) > 0.0;
     float seen = 1.0;
 #if defined(VISIBILITY)
@@ -82,7 +77,7 @@ void main() {
 #endif
     if (lit) {
         vec3 irradiance = irradianceFacing(l, distance_m) * (nl * seen);
-        vec3 diffuse = albedo / kPi;
+        vec3 diffuse = albedo * (1.0 / kPi);
 #ifdef MATERIAL_PLANE
         vec4 material = gbufferMaterial(px);
         vec3 v = directionToEye(p_world);

@@ -5,9 +5,12 @@ vec2 octahedralFold(vec2 o) { return (1.0 - abs(o.yx)) * vec2(o.x >= 0.0 ? 1.0 :
 
 // Of a vector of any length; 0 gives the z axis.
 vec2 octahedralFromVector(vec3 n) {
-    n /= max(abs(n.x) + abs(n.y) + abs(n.z), 1e-36);
-    return n.z >= 0.0 ? n.xy : octahedralFold(n.xy);
+    vec2 o = n.xy * (1.0 / max(abs(n.x) + abs(n.y) + abs(n.z), 1e-36));
+    return n.z >= 0.0 ? o : octahedralFold(o);
 }
+
+// unpackSnorm2x16() without its division and clamping, which packSnorm2x16() makes needless.
+vec2 octahedralFromWord(uint word) { return vec2(int(word << 16) >> 16, int(word) >> 16) * (1.0 / 32767.0); }
 
 // The vector of unit 1-norm.
 vec3 vectorFromOctahedral(vec2 o) {

@@ -8,6 +8,6 @@ uint packedAlbedo(vec3 linear) {
 }
 
 vec3 unpackedAlbedo(uint word) {
-    vec3 root = vec3(word & 2047u, (word >> 11) & 2047u, word >> 22) / vec3(2047.0, 2047.0, 1023.0);
+    vec3 root = vec3(word & 2047u, (word >> 11) & 2047u, word >> 22) * (1.0 / vec3(2047.0, 2047.0, 1023.0));
     return root * root;
 }

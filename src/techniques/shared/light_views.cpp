@@ -235,4 +235,8 @@ std::vector<std::pair<std::string, std::string>> LightViews::defines() const {
     return {{"LIGHT_VIEWS", std::to_string(views.size())}, {"LIGHT_PERSPECTIVE", perspective ? "1" : "0"}};
 }
 
+std::string LightViews::perPass() {
+    return "#include \"shared/light_views.glsl\"\nvoid passLookup() { passLightViews(); }\n";
+}
+
 }  // namespace ombrage

@@ -1,17 +1,54 @@
 // SPDX-License-Identifier: MIT
 // The views of one light: techniques/shared/light_views.h. LIGHT_VIEWS: 1 or 6; LIGHT_PERSPECTIVE: 0 or 1. Both are known to the
 // compiler, so that a single view costs no indexing.
+#include "ombrage/per_pass.glsl"
+
 uniform vec4 u_viewOrigin[LIGHT_VIEWS];    // xyz, w far
 uniform vec4 u_viewRight[LIGHT_VIEWS];     // xyz, w half extent
 uniform vec4 u_viewUp[LIGHT_VIEWS];        // xyz, w half extent
 uniform vec4 u_viewForward[LIGHT_VIEWS];   // xyz, w near
+
+#if defined(PER_PASS) && LIGHT_VIEWS == 1
+PER_PASS vec4 lightViewOrigin;
+PER_PASS vec4 lightViewRight;
+PER_PASS vec4 lightViewUp;
+PER_PASS vec4 lightViewForward;
+PER_PASS vec3 lightViewScales;   // 1 / half extents, 1 / depth range
+#define VIEW_ORIGIN(view) lightViewOrigin
+#define VIEW_RIGHT(view) lightViewRight
+#define VIEW_UP(view) lightViewUp
+#define VIEW_FORWARD(view) lightViewForward
+#define VIEW_SCALES(view) lightViewScales
+#else
+#define VIEW_ORIGIN(view) u_viewOrigin[view]
+#define VIEW_RIGHT(view) u_viewRight[view]
+#define VIEW_UP(view) u_viewUp[view]
+#define VIEW_FORWARD(view) u_viewForward[view]
+#define VIEW_SCALES(view) lightViewScalesOf(view)
+#endif
+
+vec3 lightViewScalesOf(int view) {
+    return 1.0 / vec3(u_viewRight[view].w, u_viewUp[view].w, u_viewOrigin[view].w - u_viewForward[view].w);
+}
+
+#ifdef FULLSCREEN_VERTEX
+void passLightViews() {
+#if LIGHT_VIEWS == 1
+    lightViewOrigin = u_viewOrigin[0];
+    lightViewRight = u_viewRight[0];
+    lightViewUp = u_viewUp[0];
+    lightViewForward = u_viewForward[0];
+    lightViewScales = lightViewScalesOf(0);
+#endif
+}
+#endif
 
 // Which of the views sees a point: the only one, or the cube face of its largest coordinate (+x -x +y -y +z -z).
 int lightViewOf(vec3 p_world) {
 #if LIGHT_VIEWS == 1
     return 0;
 #else
-    vec3 d = p_world - u_viewOrigin[0].xyz;
+    vec3 d = p_world - VIEW_ORIGIN(0).xyz;
     vec3 a = abs(d);
     if (a.x >= a.y && a.x >= a.z) return d.x >= 0.0 ? 0 : 1;
     if (a.y >= a.z) return d.y >= 0.0 ? 2 : 3;
@@ -21,9 +58,9 @@ int lightViewOf(vec3 p_world) {
 
 // Coordinates in the map, [0,1] inside, and the distance along the view's axis.
 vec2 lightViewUv(int view, vec3 p_world, out float distance_m) {
-    vec3 d = p_world - u_viewOrigin[view].xyz;
-    distance_m = dot(d, u_viewForward[view].xyz);
-    vec2 xy = vec2(dot(d, u_viewRight[view].xyz), dot(d, u_viewUp[view].xyz)) / vec2(u_viewRight[view].w, u_viewUp[view].w);
+    vec3 d = p_world - VIEW_ORIGIN(view).xyz;
+    distance_m = dot(d, VIEW_FORWARD(view).xyz);
+    vec2 xy = vec2(dot(d, VIEW_RIGHT(view).xyz), dot(d, VIEW_UP(view).xyz)) * VIEW_SCALES(view).xy;
     if (LIGHT_PERSPECTIVE != 0) xy /= distance_m;
     return xy * 0.5 + 0.5;
 }
@@ -31,10 +68,10 @@ vec2 lightViewUv(int view, vec3 p_world, out float distance_m) {
 // Distance along the axis at which the ray of the map's point `uv` meets the plane through p with normal n, or
 // `otherwise` when it runs along the plane.
 float lightViewPlaneDistance(int view, vec2 uv, vec3 p_world, vec3 n_world, float otherwise) {
-    vec2 xy = (uv * 2.0 - 1.0) * vec2(u_viewRight[view].w, u_viewUp[view].w);
-    vec3 lateral = u_viewRight[view].xyz * xy.x + u_viewUp[view].xyz * xy.y;
-    vec3 start = u_viewOrigin[view].xyz;
-    vec3 direction = u_viewForward[view].xyz;
+    vec2 xy = (uv * 2.0 - 1.0) * vec2(VIEW_RIGHT(view).w, VIEW_UP(view).w);
+    vec3 lateral = VIEW_RIGHT(view).xyz * xy.x + VIEW_UP(view).xyz * xy.y;
+    vec3 start = VIEW_ORIGIN(view).xyz;
+    vec3 direction = VIEW_FORWARD(view).xyz;
     if (LIGHT_PERSPECTIVE != 0) direction += lateral; else start += lateral;
     float slope = dot(n_world, direction);
     if (abs(slope) < 1e-6) return otherwise;
@@ -42,20 +79,20 @@ float lightViewPlaneDistance(int view, vec2 uv, vec3 p_world, vec3 n_world, floa
 }
 
 // World size of a texel, across the light's rays.
-float lightViewTexel(int view, float distance_m, float resolution) {
-    float texel = 2.0 * max(u_viewRight[view].w, u_viewUp[view].w) / resolution;
+float lightViewTexel(int view, float distance_m, float perResolution) {
+    float texel = 2.0 * max(VIEW_RIGHT(view).w, VIEW_UP(view).w) * perResolution;
     return LIGHT_PERSPECTIVE != 0 ? texel * distance_m : texel;
 }
 
 // What the map holds at a distance along the axis.
 float lightViewDepth(int view, float distance_m) {
-    float near_m = u_viewForward[view].w, far_m = u_viewOrigin[view].w;
+    float near_m = VIEW_FORWARD(view).w;
     if (LIGHT_PERSPECTIVE != 0) return distance_m > near_m ? near_m / distance_m : 1.0;
-    return (far_m - distance_m) / (far_m - near_m);
+    return (VIEW_ORIGIN(view).w - distance_m) * VIEW_SCALES(view).z;
 }
 
 // Smallest difference of distances that the map can tell at a distance: a few units in the last place of its float depth.
 float lightViewPrecision(int view, float distance_m) {
-    float range = LIGHT_PERSPECTIVE != 0 ? distance_m : u_viewOrigin[view].w - u_viewForward[view].w;
+    float range = LIGHT_PERSPECTIVE != 0 ? distance_m : VIEW_ORIGIN(view).w - VIEW_FORWARD(view).w;
     return range * 4e-7;
 }

@@ -41,6 +41,8 @@ struct LightViews {
     void setUniforms(const gl::Program& program) const;
     /// What the program that includes it is compiled for.
     std::vector<std::pair<std::string, std::string>> defines() const;
+    /// As ShadowLookup::perPass, for lookups that need nothing else.
+    static std::string perPass();
 };
 
 /// What an orthographic view covers.

@@ -6,7 +6,7 @@
 layout(binding = 5) uniform sampler2D t_picture;   // linear
 layout(binding = 6) uniform sampler2D t_encoded;   // encoded, luma in alpha; filtered linearly
 
-in vec2 v_uv;
+noperspective in vec2 v_uv;
 layout(location = 0) out vec4 o_color;
 #ifdef WRITE_EDGES
 layout(location = 1) out float o_edge;

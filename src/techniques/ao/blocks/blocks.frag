@@ -9,7 +9,6 @@
 uniform vec4 u_kernel[SAMPLES];   // offsets in the unit disk or half ball; w their weight
 uniform float u_radius_m;
 
-in vec2 v_uv;
 layout(location = 0) out float o_visibility;
 
 const float kTwoPi = 6.28318530718;
@@ -31,17 +30,17 @@ float turnOfPixel(ivec2 px) {
     return float(order) / 16.0;
 }
 
-vec3 positionAtPixel(ivec2 px, float depth) { return positionViewFromDepth((vec2(px) + 0.5) * frame.viewport.zw, depth); }
-
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
-    float depth = gbufferDepth(px);
+    // By the same operations as of a sample below, so that the receiver itself is at distance 0.
+    vec2 uv = (vec2(px) + 0.5) * frameViewport.zw;
+    float depth = gbufferDepthAt(uv);
     if (depth == 0.0) {
         o_visibility = 1.0;
         return;
     }
-    vec3 n_view = mat3(frame.viewFromWorld) * gbufferShadingNormal(px);
-    vec3 p_view = positionAtPixel(px, depth);
+    vec3 n_view = mat3(frame.viewFromWorld) * shadingNormalOf(gbufferSurfaceAt(uv));
+    vec3 p_view = positionViewFromDepth(uv, depth);
 
     // The kernel turned about its axis, in pixels of the picture or in metres over the surface.
     float turn = kTwoPi * turnOfPixel(px);
@@ -69,17 +68,18 @@ void main() {
         vec2 at_px = gl_FragCoord.xy + axisX * k.x + axisY * k.y;
 #else
         vec3 q_view = p_view + axisX * k.x + axisY * k.y + axisZ * k.z;
-        vec2 plane = q_view.xy / (isOrthographic() ? frame.projection.zw : -q_view.z * frame.projection.zw);
-        vec2 at_px = (plane * 0.5 + 0.5) * frame.viewport.xy;
+        vec2 plane = q_view.xy / (isOrthographic() ? frameProjection.zw : -q_view.z * frameProjection.zw);
+        vec2 at_px = (plane * 0.5 + 0.5) * frameViewport.xy;
         if (!isOrthographic() && q_view.z >= 0.0) continue;
 #endif
         // Nothing is known outside the picture: such a sample counts neither as open nor in N (algorithm 3 of the
         // method clamps it to the border instead, which repeats the border's surface as occluder).
-        if (any(lessThan(at_px, vec2(0.0))) || any(greaterThanEqual(at_px, frame.viewport.xy))) continue;
+        if (any(lessThan(at_px, vec2(0.0))) || any(greaterThanEqual(at_px, frameViewport.xy))) continue;
         total += k.w;
 
-        float depthFound = gbufferDepth(ivec2(at_px));
-        vec3 d = positionAtPixel(ivec2(at_px), depthFound) - origin_view;
+        vec2 uvFound = (floor(at_px) + 0.5) * frameViewport.zw;
+        float depthFound = gbufferDepthAt(uvFound);
+        vec3 d = positionViewFromDepth(uvFound, depthFound) - origin_view;
         float distance2 = dot(d, d);
         float near = 1.0 - distance2 * perRadius2;
         // The sky and the receiver itself are open.

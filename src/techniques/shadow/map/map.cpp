@@ -89,16 +89,24 @@ public:
         m_views.reset();
     }
 
+    /// What was drawn knows where its casters stood: others may have moved.
+    void sceneMoved(FrameContext&) override {
+        m_views.reset();
+        m_mayHaveMoved = true;
+    }
+
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         fitViews(frame, light);
         drawDepth(frame, light);
         if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
         m_footprint = m_views->footprint(p().resolution);
         m_range = m_views->range(frame.gpuScene->origin());
-        return {"shadow/map/map.glsl", m_views->defines(), [this](const gl::Program& program) {
+        return {"shadow/map/map.glsl", m_views->defines(),
+                [this](const gl::Program& program) {
                     m_views->setUniforms(program);
                     m_map.bind(kFirstFreeUnit);
-                }};
+                },
+                LightViews::perPass()};
     }
 
     TexelFootprint footprint() const override { return m_footprint; }
@@ -117,7 +125,10 @@ private:
 
     void drawDepth(FrameContext& frame, const LightFrame& light) {
         const LightViews& views = *m_views;
-        if (p().cache && m_drawn && *m_drawn == views) return;
+        const bool isDrawn = p().cache && m_drawn && m_drawn->views == views &&
+                             !(m_mayHaveMoved && m_drawn->casters != casterPlacements(frame));
+        m_mayHaveMoved = false;
+        if (isDrawn) return;
         const gl::TextureDesc desc{.kind = views.views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
                                    .format = GL_DEPTH_COMPONENT32F,
                                    .width = p().resolution,
@@ -133,7 +144,15 @@ private:
         if (p().cull == CullMode::Front) cull = GL_FRONT;
         if (p().cull == CullMode::Back) cull = GL_BACK;
         drawLightDepth(frame, light, views, m_map, cull);
-        m_drawn = views;
+        m_drawn = {views, casterPlacements(frame)};
+    }
+
+    /// Where the casters stand, by their order in the scene.
+    static std::vector<glm::mat4> casterPlacements(const FrameContext& frame) {
+        std::vector<glm::mat4> placements;
+        for (const FlatInstance& instance : frame.gpuScene->flat().instances)
+            if (instance.casts) placements.push_back(instance.originFromLocal);
+        return placements;
     }
 
     /// What a light's views depend on beside the scene.
@@ -144,11 +163,18 @@ private:
         bool operator==(const Pose&) const = default;
     };
 
+    /// What the map holds.
+    struct Drawn {
+        LightViews views;
+        std::vector<glm::mat4> casters;
+    };
+
     gl::Texture m_map;
     std::optional<LightViews> m_views;
     Pose m_pose;  ///< m_views were made for it, and for m_fit
     LightFit m_fit = LightFit::Scene;
-    std::optional<LightViews> m_drawn;  ///< what the map holds
+    std::optional<Drawn> m_drawn;
+    bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
     TexelFootprint m_footprint;
     ShadowRange m_range;
 };

@@ -11,6 +11,9 @@ layout(binding = 5) uniform sampler2DArrayShadow t_map;
 #endif
 
 float shadowVisibility(vec3 p_world, vec3 n_world) {
+#if BIAS != BIAS_ADAPTIVE
+    n_world = normalize(n_world);   // a tangent plane needs no length
+#endif
     float lightDistance_m;
     vec3 l = directionToLight(p_world, lightDistance_m);
     float cosine = dot(n_world, l);
@@ -18,10 +21,10 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
     if (cosine <= 0.0 || irradianceFacing(l, lightDistance_m) == vec3(0.0)) return 1.0;
 
     int view = lightViewOf(p_world);
-    float resolution = float(textureSize(t_map, 0).x);
+    float resolution = float(textureSize(t_map, 0).x), perResolution = 1.0 / resolution;
     float distance_m;
     vec2 uv = lightViewUv(view, p_world, distance_m);
-    float texel_m = lightViewTexel(view, distance_m, resolution);
+    float texel_m = lightViewTexel(view, distance_m, perResolution);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     float slope = min(sine / cosine, params.max_slope);
 
@@ -32,7 +35,7 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
 #endif
 
     // The map's answer belongs to the centre of the nearest texel.
-    vec2 center = (floor(uv * resolution) + 0.5) / resolution;
+    vec2 center = (floor(uv * resolution) + 0.5) * perResolution;
     float compared_m = distance_m;
 
 #if BIAS == BIAS_SLOPE
@@ -40,7 +43,7 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
     compared_m -= params.slope_bias * texel_m * slope;
 #elif BIAS == BIAS_ORIENTED
     // FFXVI 2023: the same from the normal's own direction in the map: half a texel along each axis.
-    vec3 n_light = vec3(dot(n_world, u_viewRight[view].xyz), dot(n_world, u_viewUp[view].xyz), dot(n_world, u_viewForward[view].xyz));
+    vec3 n_light = vec3(dot(n_world, VIEW_RIGHT(view).xyz), dot(n_world, VIEW_UP(view).xyz), dot(n_world, VIEW_FORWARD(view).xyz));
     float reach = (abs(n_light.x) + abs(n_light.y)) / max(abs(n_light.z), 1e-4);
     compared_m -= 0.5 * texel_m * min(reach, params.max_slope * 1.41421356);
 #elif BIAS == BIAS_RECEIVER_PLANE

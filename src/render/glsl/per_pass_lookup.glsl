@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// Stands in for ShadowLookup::perPass.
+void passLookup() {}
