@@ -169,7 +169,7 @@ Measurer::Times Measurer::timesOf(CaseUnit& unit, const Pipeline& pipeline) {
         drawFrames(renderer, settings, 1);
         const auto costs = takeTurns({[&](int frames) { return drawFrames(renderer, first, frames); },
                                       [&](int frames) { return drawFrames(renderer, settings, frames); }},
-                                     kRounds, kFramesPerRound, [&](int) { say(""); });
+                                     kRounds, kFramesPerRound, m_request.base.seed, [&](int) { say(""); });
         times.ratio = 1 + pairedDifference(costsOfRounds(costs[0].*deciding, kFramesPerRound),
                                            costsOfRounds(costs[1].*deciding, kFramesPerRound), m_request.base.seed)
                               .change;
