@@ -104,7 +104,10 @@ namespace {
 /// The plan's runs once more under each script, by light and script so that truths are shared.
 void addMotions(ScenePlan& plan, const Scene& scene, const std::vector<Motion>& motions) {
     const std::vector<PlannedRun> still = plan.runs;
+    std::vector<std::string> known;
     for (const Motion& motion : motions) {
+        if (std::find(known.begin(), known.end(), toString(motion)) != known.end()) continue;
+        known.push_back(toString(motion));
         // A scene without such a caster has nothing to measure; a wrong name is an error.
         std::string noCaster;
         if (motion.movesCaster() && motion.caster.empty()) try {

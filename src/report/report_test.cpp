@@ -15,6 +15,7 @@
 #include "report/crops.h"
 #include "report/html_text.h"
 #include "report/page.h"
+#include "report/record_groups.h"
 
 namespace ombrage {
 namespace {
@@ -255,6 +256,41 @@ TEST_F(ReportTest, CommandsOfRunsCanBePasted) {
     EXPECT_NE(page().find(escapeHtml("ombrage compare gap --technique 'shadow/one:mode=it'\\''s' --camera main --light "
                                      "lamp --size 640x360 --seed 1 --truth shadow --spp 1024 -o again")),
               std::string::npos);
+}
+
+TEST_F(ReportTest, CommandsAskForTheSceneAsItWasAskedFor) {
+    RunRecord record = sampleRecord("shadow/one");
+    record.scene = "laboratory";
+    record.asked = {"my lab.json", "--ground", "--eye", "-1,2.5,3", "--time", "1.5"};
+    record.time_s = 1.5;
+    EXPECT_EQ(commandFor(record, {}),
+              "ombrage compare 'my lab.json' --ground --eye -1,2.5,3 --time 1.5 --technique shadow/one --camera main "
+              "--light lamp --size 640x360 --seed 1 --truth shadow --spp 1024 -o again");
+}
+
+TEST_F(ReportTest, AnotherMomentIsAnotherSection) {
+    add(sampleRecord("shadow/one"));
+    RunRecord later = sampleRecord("shadow/two");
+    later.time_s = 1.5;
+    add(later);
+    const std::string html = page();
+    EXPECT_NE(html.find("gap: shadow, light lamp, at 1.5 s</h2>"), std::string::npos);
+    EXPECT_NE(html.find("gap: shadow, light lamp</h2>"), std::string::npos);
+}
+
+TEST_F(ReportTest, SettingsAreShownAsCode) {
+    RunRecord record = sampleRecord("ao/one");
+    record.camera = "the \"left\" one";
+    record.light.clear();
+    record.pipeline = "ao/blocks:radius=0.5+filter/bilateral-separable";
+    const std::string code =
+        "ombrage::RenderSettings settings;\nsettings.width = 640;\nsettings.height = 360;\n"
+        "settings.camera = \"the \\\"left\\\" one\";\nsettings.seed = 1u;\n"
+        "settings.ao = ombrage::parsePipeline(ombrage::Family::Ao, "
+        "\"ao/blocks:radius=0.5+filter/bilateral-separable\");";
+    EXPECT_EQ(settingsFor(record), code);
+    appendLine(m_folder / kRecordsFile, record.toJson());
+    EXPECT_NE(page().find(escapeHtml(code)), std::string::npos);
 }
 
 TEST_F(ReportTest, ShowsMeansOverScenesOnceThereAreTwo) {
