@@ -162,7 +162,7 @@ BenchResult bench(const BenchRequest& request, const RendererOptions& options) {
     std::optional<BenchResult> baseline;
     if (!request.baseline.empty()) baseline = readBench(request.baseline);
     std::vector<Scene> scenes;
-    for (const std::string& name : request.scenes) scenes.push_back(loadScene(name, request.sceneOptions));
+    for (const std::string& name : eachOnce(request.scenes)) scenes.push_back(loadScene(name, request.sceneOptions));
 
     BenchResult result;
     result.commandLine = request.commandLine;

@@ -197,11 +197,8 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
     std::vector<ScenePlan> plans;
     CompareResult result;
     std::size_t stepCount = 0;
-    std::vector<std::string> names;
-    for (const std::string& name : request.scenes) {
-        // What is named twice is one thing, scenes as techniques.
-        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
-        names.push_back(name);
+    const std::vector<std::string> names = eachOnce(request.scenes);
+    for (const std::string& name : names) {
         scenes.push_back(loadScene(name, request.sceneOptions));
         scenes.back().cameraIndex(request.base.camera);
         plans.push_back(planScene(scenes.back(), request));

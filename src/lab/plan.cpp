@@ -189,4 +189,11 @@ ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
     return plan;
 }
 
+std::vector<std::string> eachOnce(const std::vector<std::string>& texts) {
+    std::vector<std::string> result;
+    for (const std::string& text : texts)
+        if (std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
+    return result;
+}
+
 }  // namespace ombrage

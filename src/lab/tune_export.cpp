@@ -223,7 +223,7 @@ std::string exportTuned(const std::string& engine, const TuneRequest& request, c
     const Pipeline pipeline = parsePipeline(family, text);
     std::vector<tuning::LightScale> scales;
     if (family == Family::Shadow)
-        for (const std::string& name : request.scenes) {
+        for (const std::string& name : eachOnce(request.scenes)) {
             const Scene scene = loadScene(name, request.sceneOptions);
             Renderer renderer(options);
             renderer.setScene(scene);
@@ -249,9 +249,10 @@ std::string exportTuned(const std::string& engine, const TuneRequest& request, c
         }
     std::map<std::string, double> radii_m;
     if (family == Family::Ao)
-        for (const std::string& name : request.scenes) {
+        for (const std::string& name : eachOnce(request.scenes)) {
             const Scene scene = loadScene(name, request.sceneOptions);
-            radii_m[scene.name] = scene.aoRadius_m;
+            // As a person writes it: 0.4 and not the nearest float's 0.4000000059604645.
+            radii_m[scene.name] = std::round(double(scene.aoRadius_m) * 1e6) / 1e6;
         }
     return tuning::exportText(engine, family, pipeline, scales, radii_m);
 }
