@@ -226,7 +226,10 @@ BenchResult bench(const BenchRequest& request, const RendererOptions& options) {
                 renderer.setScene(scene);
                 GroupBench(request, result, renderer, tell).run(variants, group);
                 if (store) {
-                    store->put(key, benchGroupJson(group).dump(), {});
+                    // Alone in a folder a group must say what its differences are of.
+                    nlohmann::ordered_json json = benchGroupJson(group);
+                    json["decided_by"] = result.decidedBy;
+                    store->put(key, json.dump(), {});
                     store->exportLines();
                 }
             }

@@ -211,6 +211,17 @@ TEST_F(Store, DamagedForeignAndLaterFilesAreErrorsThatSaySo) {
     for (const auto& way : std::vector<std::function<void()>>{open, read})
         EXPECT_EQ(codeOf(way, "another version"), ErrorCode::Input);
 
+    fs::remove(file);
+    open();
+    sqlite::Database(file, sqlite::Access::Write).run("DROP TABLE pictures");
+    EXPECT_EQ(codeOf(
+                  [&] {
+                      ResultStore store(m_folder);
+                      putNumber(store, 1);
+                  },
+                  "no such table"),
+              ErrorCode::Input);
+
     // A header that is whole and pages that are not.
     fs::remove(file);
     {

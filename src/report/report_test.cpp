@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <ombrage/compare.h>
 #include <ombrage/error.h>
@@ -11,6 +12,7 @@
 #include <regex>
 
 #include "lab/record_sample.h"
+#include "lab/store.h"
 #include "report/assets.h"
 #include "report/crops.h"
 #include "report/html_text.h"
@@ -291,6 +293,25 @@ TEST_F(ReportTest, SettingsAreShownAsCode) {
     EXPECT_EQ(settingsFor(record), code);
     appendLine(m_folder / kRecordsFile, record.toJson());
     EXPECT_NE(page().find(escapeHtml(code)), std::string::npos);
+}
+
+TEST_F(ReportTest, OfBenchesThatWereTakenAgainTheLatestCounts) {
+    add(sampleRecord("shadow/one"));
+    ResultStore store(m_folder);
+    const auto put = [&](int build, const char* value, const char* label) {
+        store.put(ResultKey(kBenchKind).add("build", build).add("value", value).add("label", label),
+                  fmt::format(R"({{"scene":"gap","camera":"main","light":null,"size":[64,36],"axis":"resolution",)"
+                              R"("value":"{}","build":{},"runs":[{{"label":"{}"}}]}})",
+                              value, build, label),
+                  {});
+    };
+    put(1, "256", "shadow/map");
+    put(1, "512", "shadow/map");
+    put(2, "256", "shadow/map");
+    put(2, "256", "shadow/planar");
+    const std::string html = page();
+    EXPECT_EQ(countOf(html, "\"build\":1"), 1u) << "at 512, which was not measured again";
+    EXPECT_EQ(countOf(html, "\"build\":2"), 2u);
 }
 
 TEST_F(ReportTest, ShowsMeansOverScenesOnceThereAreTwo) {

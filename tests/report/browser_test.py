@@ -280,6 +280,11 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(self.browser.run("document.querySelectorAll('#bench table tbody tr').length"), 2)
         self.assertEqual(self.browser.run("document.querySelectorAll('#bench .spark polyline').length"), 2)
         self.assertGreaterEqual(self.browser.run("document.querySelectorAll('#bench circle.dot').length"), 2 * 12)
+        # The figure that decides stands beside what it decides.
+        text = self.browser.run("document.querySelector('#bench').innerText")
+        self.assertIn("process [ms]", text)
+        self.assertRegex(text, r"Differences are of the (processor|GPU) time")
+        self.assertRegex(text, r": [+-]?[0-9.]+ %, 99 % interval [+-]?[0-9.]+ % to [+-]?[0-9.]+ %")
 
     def test_many_rows_and_names_that_are_markup(self):
         self.open(self.many)
