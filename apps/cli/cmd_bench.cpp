@@ -45,6 +45,8 @@ BenchRequest requestOf(const Options& options) {
 
 int runBench(const Options& options) {
     if (options.flag("program")) return runWholeProgram(options);
+    if (options.has("seconds"))
+        throw Error(ErrorCode::Usage, "--seconds goes with --program only", "a bench takes --frames");
     BenchRequest request = requestOf(options);
     Progress progress;
     request.progress = [&](const std::string& what, double share) { return progress(what, share); };

@@ -4,7 +4,6 @@
 #include <ombrage/tune.h>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 
 #include "commands.h"
 #include "progress.h"
@@ -13,7 +12,8 @@ namespace ombrage::cli {
 
 namespace {
 
-constexpr double kMost = std::numeric_limits<double>::max();
+/// More than any frame takes, of milliseconds or MiB.
+constexpr double kMost = 1e9;
 
 TuneRequest requestOf(const Options& options) {
     TuneRequest request;
@@ -43,7 +43,7 @@ TuneRequest requestOf(const Options& options) {
     request.pareto = options.flag("pareto");
     request.cost = options.choice("cost", {"time", "memory"}, 0) == 0 ? TuneCost::Time : TuneCost::Memory;
     request.evaluations = int(options.integer("evaluations", request.evaluations, 1, 1'000'000));
-    request.seconds = options.number("seconds", 0, 0, 1e9);
+    request.seconds = options.number("seconds", 0, 1e-3, 1e9);
     request.again = options.flag("again");
     request.commandLine = commandLine();
     return request;

@@ -162,7 +162,7 @@ BenchResult bench(const BenchRequest& request, const RendererOptions& options) {
     std::optional<BenchResult> baseline;
     if (!request.baseline.empty()) baseline = readBench(request.baseline);
     std::vector<Scene> scenes;
-    for (const std::string& name : request.scenes) scenes.push_back(loadScene(name, request.sceneOptions));
+    for (const std::string& name : eachOnce(request.scenes)) scenes.push_back(loadScene(name, request.sceneOptions));
 
     BenchResult result;
     result.commandLine = request.commandLine;
@@ -226,7 +226,10 @@ BenchResult bench(const BenchRequest& request, const RendererOptions& options) {
                 renderer.setScene(scene);
                 GroupBench(request, result, renderer, tell).run(variants, group);
                 if (store) {
-                    store->put(key, benchGroupJson(group).dump(), {});
+                    // Alone in a folder a group must say what its differences are of.
+                    nlohmann::ordered_json json = benchGroupJson(group);
+                    json["decided_by"] = result.decidedBy;
+                    store->put(key, json.dump(), {});
                     store->exportLines();
                 }
             }

@@ -16,10 +16,6 @@ namespace ombrage {
 
 namespace {
 
-constexpr const char* kSizeAxis = "size";
-constexpr const char* kTrianglesAxis = "triangles";
-constexpr const char* kLightsAxis = "lights";
-
 bool makesScene(const std::string& axis) {
     return axis == kTrianglesAxis || axis == kLightsAxis;
 }
@@ -72,8 +68,13 @@ BenchSweep parseSweep(const std::string& text) {
     const std::size_t dots = values.find("..");
     if (dots == std::string::npos) {
         sweep.values = split(values, ',');
-        for (const std::string& value : sweep.values)
-            if (value.empty()) throw wrong;
+        for (std::size_t i = 0; i < sweep.values.size(); ++i) {
+            if (sweep.values[i].empty()) throw wrong;
+            if (std::find(sweep.values.begin(), sweep.values.begin() + std::ptrdiff_t(i), sweep.values[i]) !=
+                sweep.values.begin() + std::ptrdiff_t(i))
+                throw Error(ErrorCode::Usage, "--sweep: '" + sweep.values[i] + "' stands twice in '" + text + "'",
+                            "as in size=360,720,1080");
+        }
     } else {
         double from = 0, to = 0;
         if (!parseDouble(values.substr(0, dots), from) || !parseDouble(values.substr(dots + 2), to) || from <= 0 ||

@@ -15,6 +15,11 @@ struct BenchVariant {
     std::string label;
 };
 
+/// Axes of a sweep that are no parameter of a technique.
+inline constexpr const char* kSizeAxis = "size";
+inline constexpr const char* kTrianglesAxis = "triangles";
+inline constexpr const char* kLightsAxis = "lights";
+
 /// One point of a sweep, or all that there is without one.
 struct BenchPoint {
     std::string value;  ///< "" without a sweep

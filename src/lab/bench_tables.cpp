@@ -2,11 +2,14 @@
 // What a bench says to people and to spreadsheets.
 #include <ombrage/bench.h>
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "core/strings.h"
 #include "lab/bench_json.h"
+#include "lab/bench_plan.h"
 #include "lab/log_plot.h"
 #include "lab/pictures.h"
 
@@ -46,7 +49,8 @@ struct Sweep {
     std::string scene, axis;
     std::vector<std::string> values;
     std::vector<Curve> curves;
-    bool isNumeric = true;  ///< every value is a positive number: it has a logarithm
+    std::map<std::string, std::set<std::string>> pipelines;  ///< by the name of their curve
+    bool isNumeric = true;                                   ///< every value is a positive number: it has a logarithm
 };
 
 std::map<std::string, Sweep> sweepsOf(const BenchResult& result) {
@@ -63,6 +67,7 @@ std::map<std::string, Sweep> sweepsOf(const BenchResult& result) {
             auto curve = std::find_if(sweep.curves.begin(), sweep.curves.end(),
                                       [&](const Curve& known) { return known.name == run.label; });
             if (curve == sweep.curves.end()) curve = sweep.curves.insert(curve, {run.label, {}, {}});
+            sweep.pipelines[run.label].insert(run.pipeline);
             curve->x.push_back(group.x);
             // What takes no measurable time still has a place on the paper.
             curve->y.push_back(std::max(decidingFigures(result, run).median, 1e-4));
@@ -71,7 +76,11 @@ std::map<std::string, Sweep> sweepsOf(const BenchResult& result) {
     return sweeps;
 }
 
-std::string growthText(const Curve& curve) {
+/// Nothing grows in a pipeline that does not have the parameter, whatever its times do.
+std::string growthText(const Sweep& sweep, const Curve& curve) {
+    const bool isOfScene = sweep.axis == kSizeAxis || sweep.axis == kTrianglesAxis || sweep.axis == kLightsAxis;
+    const bool varies = isOfScene || sweep.pipelines.at(curve.name).size() > 1;
+    if (!sweep.isNumeric || curve.x.size() < 2 || !varies) return "–";
     return fmt::format("x^{:.2f}", fittedExponent(curve.x, curve.y));
 }
 
@@ -145,7 +154,7 @@ std::string BenchResult::markdown() const {
         for (const Curve& curve : sweep.curves) {
             text += "| " + cell(curve.name) + " |";
             for (const double cost : curve.y) text += fmt::format(" {:.3f} |", cost);
-            text += sweep.isNumeric && curve.x.size() >= 2 ? " " + growthText(curve) + " |\n" : " – |\n";
+            text += " " + growthText(sweep, curve) + " |\n";
         }
     }
     return text;
@@ -156,7 +165,7 @@ std::map<std::string, std::string> BenchResult::plots() const {
     for (auto& [name, sweep] : sweepsOf(*this)) {
         if (!sweep.isNumeric || sweep.values.size() < 2) continue;
         std::vector<Curve> curves = sweep.curves;
-        for (Curve& curve : curves) curve.name += "  " + growthText(curve);
+        for (Curve& curve : curves) curve.name += "  " + growthText(sweep, curve);
         pictures["bench-" + name + ".svg"] = logPlot("Frame of " + sweep.scene + " against " + sweep.axis, sweep.axis,
                                                      decidedBy == "process_ms" ? "ms of processor time" : "ms", curves);
     }

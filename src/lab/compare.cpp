@@ -2,6 +2,7 @@
 #include <ombrage/compare.h>
 
 #include <ombrage/error.h>
+#include <ombrage/metrics.h>
 #include <algorithm>
 #include <chrono>
 #include <mutex>
@@ -44,8 +45,12 @@ private:
     std::mutex m_mutex;
 };
 
-/// A gate on a technique that is not run would never speak.
-void checkGate(const Gate& gate, const std::vector<ScenePlan>& plans) {
+/// A gate on a technique that is not run, or on a metric that is not measured, would never speak.
+void checkGate(const Gate& gate, const CompareRequest& request, const std::vector<ScenePlan>& plans) {
+    for (const MetricInfo& info : metricInfos())
+        if (info.key == gate.metric && info.ofMotion && request.motions.empty())
+            throw Error(ErrorCode::Usage, "the gate '" + gate.text + "' is about motion, and nothing moves",
+                        "choose a script with --motion; 'ombrage list motions' shows them");
     if (gate.technique.empty()) return;
     for (const ScenePlan& plan : plans)
         for (const PlannedRun& run : plan.runs)
@@ -92,12 +97,32 @@ std::string nameOfCall(const CompareRequest& request) {
     return name.text();
 }
 
+/// What a command says of a scene beside camera, light and size.
+std::vector<std::string> wordsOf(const std::string& scene, const CompareRequest& request,
+                                 const std::string& shaderDir) {
+    std::vector<std::string> words{scene};
+    const SceneOptions& options = request.sceneOptions;
+    const auto addPoint = [&](const char* option, const std::optional<glm::dvec3>& point) {
+        if (point)
+            words.insert(words.end(), {option, formatNumber(point->x) + "," + formatNumber(point->y) + "," +
+                                                   formatNumber(point->z)});
+    };
+    if (options.ground) words.emplace_back("--ground");
+    addPoint("--eye", options.eye);
+    addPoint("--target", options.target);
+    if (options.allowOutside) words.emplace_back("--allow-outside");
+    if (request.base.time_s != 0) words.insert(words.end(), {"--time", formatNumber(request.base.time_s)});
+    if (!shaderDir.empty()) words.insert(words.end(), {"--shader-dir", shaderDir});
+    return words;
+}
+
 /// The records of one run in the order of its truths: from the store, and what it lacks from the runner.
 class StoredRuns {
 public:
+    /// @param asked  the words of a command that name the scene
     StoredRuns(ResultStore& store, const CompareKeys& keys, const CompareRequest& request,
-               const std::vector<std::string>& warnings)
-        : m_store(store), m_keys(keys), m_request(request), m_warnings(warnings) {}
+               const std::vector<std::string>& warnings, std::vector<std::string> asked)
+        : m_store(store), m_keys(keys), m_request(request), m_warnings(warnings), m_asked(std::move(asked)) {}
 
     /// @param measure  runs what is missing
     template <typename Measure>
@@ -131,6 +156,7 @@ private:
     void put(const ResultKey& key, const PlannedRun& planned, RunRecord& record) {
         for (const std::string& warning : m_warnings)
             if (warning.find(planned.pipeline.front().id) != std::string::npos) record.warnings.push_back(warning);
+        record.asked = m_asked;
         std::vector<std::string> pictures;
         for (const auto& [kind, path] : record.images) pictures.push_back(path);
         m_store.put(key, record.toJson(), pictures);
@@ -140,6 +166,7 @@ private:
     const CompareKeys& m_keys;
     const CompareRequest& m_request;
     const std::vector<std::string>& m_warnings;
+    std::vector<std::string> m_asked;
 };
 
 }  // namespace
@@ -170,7 +197,8 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
     std::vector<ScenePlan> plans;
     CompareResult result;
     std::size_t stepCount = 0;
-    for (const std::string& name : request.scenes) {
+    const std::vector<std::string> names = eachOnce(request.scenes);
+    for (const std::string& name : names) {
         scenes.push_back(loadScene(name, request.sceneOptions));
         scenes.back().cameraIndex(request.base.camera);
         plans.push_back(planScene(scenes.back(), request));
@@ -178,7 +206,7 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         result.skipped.insert(result.skipped.end(), plans.back().skipped.begin(), plans.back().skipped.end());
         for (const std::string& warning : plans.back().warnings) warn(warning);
     }
-    for (const Gate& gate : request.failOn) checkGate(gate, plans);
+    for (const Gate& gate : request.failOn) checkGate(gate, request, plans);
     if (request.outputDir.empty()) throw Error(ErrorCode::Usage, "no folder for the results", "name one with -o DIR");
     makeResultFolder(request.outputDir / "images");
     removeUnfinished(request.outputDir / "images");
@@ -200,7 +228,7 @@ CompareResult compare(const CompareRequest& request, const RendererOptions& opti
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             if (plans[i].runs.empty()) continue;
             const CompareKeys keys(scenes[i], request, renderer.device(), program);
-            StoredRuns stored(store, keys, request, plans[i].warnings);
+            StoredRuns stored(store, keys, request, plans[i].warnings, wordsOf(names[i], request, options.shaderDir));
             std::optional<SceneRunner> runner;
             for (const PlannedRun& planned : plans[i].runs) {
                 const std::vector<std::string> records =

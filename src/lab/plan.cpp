@@ -104,7 +104,10 @@ namespace {
 /// The plan's runs once more under each script, by light and script so that truths are shared.
 void addMotions(ScenePlan& plan, const Scene& scene, const std::vector<Motion>& motions) {
     const std::vector<PlannedRun> still = plan.runs;
+    std::vector<std::string> known;
     for (const Motion& motion : motions) {
+        if (std::find(known.begin(), known.end(), toString(motion)) != known.end()) continue;
+        known.push_back(toString(motion));
         // A scene without such a caster has nothing to measure; a wrong name is an error.
         std::string noCaster;
         if (motion.movesCaster() && motion.caster.empty()) try {
@@ -184,6 +187,13 @@ ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
     std::sort(plan.warnings.begin(), plan.warnings.end());
     plan.warnings.erase(std::unique(plan.warnings.begin(), plan.warnings.end()), plan.warnings.end());
     return plan;
+}
+
+std::vector<std::string> eachOnce(const std::vector<std::string>& texts) {
+    std::vector<std::string> result;
+    for (const std::string& text : texts)
+        if (std::find(result.begin(), result.end(), text) == result.end()) result.push_back(text);
+    return result;
 }
 
 }  // namespace ombrage

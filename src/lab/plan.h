@@ -52,4 +52,7 @@ std::vector<int> chosenLights(const Scene& scene, const std::string& name);
 /// Ids of the pipeline joined by '+', without parameters.
 std::string techniqueText(const Pipeline& pipeline);
 
+/// The texts in their order: what is named twice is one thing.
+std::vector<std::string> eachOnce(const std::vector<std::string>& texts);
+
 }  // namespace ombrage

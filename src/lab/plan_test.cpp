@@ -39,7 +39,7 @@ TEST(Plan, MotionsFollowTheStillPicturesOfALight) {
     const Scene scene = twoLights();
     CompareRequest request;
     request.pipelines = {parseTechnique("shadow/map"), parseTechnique("shadow/none"), parseTechnique("ao/blocks")};
-    request.motions = parseMotions("camera-walk,light-jump");
+    request.motions = parseMotions("camera-walk,light-jump,camera-walk");
     const ScenePlan plan = planScene(scene, request);
     // Two lights with two techniques, still and under two scripts each; occlusion still and for the camera alone.
     std::vector<std::string> order;
@@ -53,6 +53,10 @@ TEST(Plan, MotionsFollowTheStillPicturesOfALight) {
         if (run.motion) {
             EXPECT_EQ(run.truths.size(), 1u);
         }
+}
+
+TEST(Plan, WhatIsNamedTwiceIsOneThing) {
+    EXPECT_EQ(eachOnce({"tree", "gap", "tree", "gap"}), (std::vector<std::string>{"tree", "gap"}));
 }
 
 TEST(Plan, SaysWhatHasNoMotion) {

@@ -36,6 +36,7 @@ inline RunRecord sampleRecord(const std::string& technique = "shadow/sample", do
     r.gpuBytes = 16777216;
     r.counters = {{"rays", 1e6}};
     r.seed = 1;
+    r.asked = {"gap"};
     r.version = "0.1.0";
     r.device = {"llvmpipe", "4.5", true};
     r.images = {{"visibility", "images/visibility.png"}, {"truth", "images/truth.png"}};

@@ -75,6 +75,7 @@ std::string RunRecord::toJson() const {
     json["scene_hash"] = sceneHash;
     json["camera"] = camera;
     json["light"] = light.empty() ? Json(nullptr) : Json(light);
+    json["time_s"] = time_s;
     json["motion"] = motion.empty() ? Json(nullptr) : Json(motion);
     json["size"] = {width, height};
     json["family"] = family;
@@ -100,13 +101,13 @@ std::string RunRecord::toJson() const {
     json["gpu_ms"]["clock"] = clock;
     // A tenth of a microsecond is below what any of the clocks tells.
     json["gpu_ms"]["samples"] = Json::array();
-    for (const double sample_ms : frames_ms)
-        json["gpu_ms"]["samples"].push_back(std::round(sample_ms * 1e4) / 1e4);
+    for (const double sample_ms : frames_ms) json["gpu_ms"]["samples"].push_back(std::round(sample_ms * 1e4) / 1e4);
     json["cpu_ms"] = cpu_ms;
     json["gpu_bytes"] = gpuBytes;
     json["counters"] = Json::object();
     for (const auto& [key, value] : counters) json["counters"][key] = value;
     json["seed"] = seed;
+    json["asked"] = asked;
     json["version"] = version;
     json["device"] = {{"renderer", device.renderer}, {"version", device.version}, {"software", device.software}};
     json["images"] = Json::object();
@@ -122,7 +123,9 @@ RunRecord RunRecord::fromJson(const std::string& text, const std::string& where)
         r.sceneHash = json.at("scene_hash").get<std::string>();
         r.camera = json.at("camera").get<std::string>();
         if (!json.at("light").is_null()) r.light = json.at("light").get<std::string>();
-        // Records of earlier versions are all of still pictures.
+        // Earlier versions told none of these three.
+        r.time_s = json.value("time_s", 0.0);
+        r.asked = json.value("asked", std::vector<std::string>());
         if (json.contains("motion") && !json.at("motion").is_null()) r.motion = json.at("motion").get<std::string>();
         r.width = json.at("size").at(0).get<int>();
         r.height = json.at("size").at(1).get<int>();
@@ -183,8 +186,10 @@ RunNote RunNote::fromJson(const std::string& text, const std::string& where) {
 }
 
 std::string identityOf(const RunRecord& r) {
-    const Json identity{r.scene, r.sceneHash, r.camera, r.light,    r.motion,
-                        r.width, r.height,    r.seed,   r.pipeline, r.truth ? r.truth->kind : std::string()};
+    Json identity{r.scene, r.sceneHash, r.camera, r.light,    r.motion,
+                  r.width, r.height,    r.seed,   r.pipeline, r.truth ? r.truth->kind : std::string()};
+    // Last and only where it says something: the texts of earlier versions mean the same run.
+    if (r.time_s != 0) identity.push_back(r.time_s);
     return dump(identity);
 }
 

@@ -14,8 +14,8 @@
 namespace ombrage {
 
 /// What one run measured: a technique, a scene, a camera and, for shadows, a light. The form on disk is one record of
-/// the store and one line of DIR/records.jsonl, schema ombrage/record/1 (design section 8); `pipeline` and `family` are
-/// additions to it.
+/// the store and one line of DIR/records.jsonl, schema ombrage/record/1 (design section 8); `pipeline`, `family`,
+/// `time_s` and `asked` are additions to it.
 struct RunRecord {
     struct Timing {
         double median = 0, p95 = 0;
@@ -42,6 +42,7 @@ struct RunRecord {
 
     std::string scene, sceneHash, camera;
     std::string light;   ///< "" (null on disk) where the family has none
+    double time_s = 0;   ///< of the scene's animations
     std::string motion;  ///< script that was played, as parseMotion takes it; "" (null on disk) for a still picture
     int width = 0, height = 0;
     std::string family;
@@ -59,6 +60,9 @@ struct RunRecord {
     std::uint64_t gpuBytes = 0;
     std::map<std::string, double> counters;
     std::uint64_t seed = 0;
+    /// The scene as a command asks for it: name or file, and the options that make it another ("--ground", "--time",
+    /// "2"). Empty where nobody asked by a command line.
+    std::vector<std::string> asked;
     std::string version;
     Device device;
     std::map<std::string, std::string> images;  ///< kind -> path relative to the folder
@@ -73,8 +77,8 @@ struct RunRecord {
     static RunRecord fromJson(const std::string& text, const std::string& where);
 };
 
-/// What a report takes for the same run: scene, camera, light, motion, size, seed, pipeline and truth. Of two the later
-/// counts.
+/// What a report takes for the same run: scene, camera, light, time, motion, size, seed, pipeline and truth. Of two the
+/// later counts.
 std::string identityOf(const RunRecord& record);
 
 /// What one call of compare() leaves beside its records: one note of the store and

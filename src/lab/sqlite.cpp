@@ -25,6 +25,9 @@ constexpr int kPatience_ms = 60'000;
         case SQLITE_CORRUPT:
             throw Error(ErrorCode::Input, "the results '" + file + "' are damaged or no database: " + what,
                         "move the file away; what lies beside it as JSON lines is then read in its place", file);
+        case SQLITE_ERROR:
+            throw Error(ErrorCode::Input, "the results '" + file + "' are not as this program makes them: " + what,
+                        "move the file away; what lies beside it as JSON lines is then read in its place", file);
         case SQLITE_FULL:
             throw Error(ErrorCode::Environment, "no space left for the results '" + file + "'",
                         "free some space and run the same command again: what was done is kept", file);

@@ -4,6 +4,8 @@
 #include <ombrage/error.h>
 #include <system_error>
 
+#include <sys/stat.h>
+
 #include "core/strings.h"
 #include "core/whole_file.h"
 #include "lab/run_record.h"
@@ -53,6 +55,13 @@ std::string asLines(const std::vector<std::string>& texts) {
     return texts.empty() ? "" : join(texts, "\n") + "\n";
 }
 
+/// Zeros for a file that is not there.
+std::pair<std::uint64_t, std::uint64_t> identityOfFile(const fs::path& file) {
+    struct stat found {};
+    if (::stat(file.c_str(), &found) != 0) return {};
+    return {std::uint64_t(found.st_dev), std::uint64_t(found.st_ino)};
+}
+
 }  // namespace
 
 fs::path ResultStore::fileIn(const fs::path& folder) {
@@ -68,7 +77,14 @@ void makeResultFolder(const fs::path& folder) {
 }
 
 ResultStore::ResultStore(const fs::path& folder, sqlite::Access access)
-    : m_folder(folder), m_database(fileIn(folder), access) {}
+    : m_folder(folder), m_database(fileIn(folder), access), m_identity(identityOfFile(fileIn(folder))) {}
+
+void ResultStore::requireFile() const {
+    const fs::path file = fileIn(m_folder);
+    if (identityOfFile(file) == m_identity) return;
+    throw Error(ErrorCode::Environment, "the results '" + file.string() + "' were taken away while they were written",
+                "leave the folder alone and run the same command again", file.string());
+}
 
 ResultStore::ResultStore(const fs::path& folder) : ResultStore(folder, sqlite::Access::Write) {
     if (!isEmpty(m_database)) checkMark(m_database, fileIn(m_folder));
@@ -143,6 +159,7 @@ void ResultStore::insert(const ResultKey& key, const std::string& record, const 
 
 void ResultStore::put(const ResultKey& key, const std::string& record, const std::vector<std::string>& pictures) {
     sqlite::Transaction transaction(m_database);
+    requireFile();
     insert(key, record, pictures);
     transaction.commit();
 }
@@ -164,6 +181,7 @@ void ResultStore::insertNote(const std::string& call, const std::string& text) {
 
 void ResultStore::note(const std::string& call, const std::string& text) {
     sqlite::Transaction transaction(m_database);
+    requireFile();
     insertNote(call, text);
     transaction.commit();
 }
@@ -197,6 +215,7 @@ void ResultStore::importLines() {
 
 void ResultStore::exportLines() const {
     const sqlite::Transaction onlyOne(m_database);
+    requireFile();
     writeWhole(m_folder / kRecordsFile, asLines(records(kCompareKind)));
     if (const std::vector<std::string> groups = records(kBenchKind); !groups.empty())
         writeWhole(m_folder / "bench.jsonl", asLines(groups));

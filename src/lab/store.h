@@ -56,13 +56,15 @@ public:
 
 private:
     ResultStore(const std::filesystem::path& folder, sqlite::Access access);
-    void makeTables();
     void importLines();
+    /// @throws Error(Environment) when the file is no longer where it was: what is written now would be lost.
+    void requireFile() const;
     void insert(const ResultKey& key, const std::string& record, const std::vector<std::string>& pictures);
     void insertNote(const std::string& call, const std::string& text);
 
     std::filesystem::path m_folder;
     sqlite::Database m_database;
+    std::pair<std::uint64_t, std::uint64_t> m_identity;  ///< of the file: its device and number there
 };
 
 /// Kind of a comparison's results: records of the schema ombrage/record/1.

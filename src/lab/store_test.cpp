@@ -211,6 +211,17 @@ TEST_F(Store, DamagedForeignAndLaterFilesAreErrorsThatSaySo) {
     for (const auto& way : std::vector<std::function<void()>>{open, read})
         EXPECT_EQ(codeOf(way, "another version"), ErrorCode::Input);
 
+    fs::remove(file);
+    open();
+    sqlite::Database(file, sqlite::Access::Write).run("DROP TABLE pictures");
+    EXPECT_EQ(codeOf(
+                  [&] {
+                      ResultStore store(m_folder);
+                      putNumber(store, 1);
+                  },
+                  "no such table"),
+              ErrorCode::Input);
+
     // A header that is whole and pages that are not.
     fs::remove(file);
     {
@@ -223,6 +234,21 @@ TEST_F(Store, DamagedForeignAndLaterFilesAreErrorsThatSaySo) {
         damaged << std::string(std::size_t(fs::file_size(file) - 4096), '\x5a');
     }
     EXPECT_EQ(codeOf([&] { ResultStore(m_folder).records(kCompareKind); }, "damaged"), ErrorCode::Input);
+}
+
+// What goes into a file that has no name any more is lost.
+TEST_F(Store, AFileThatIsTakenAwayIsToldAtTheNextResult) {
+    ResultStore store(m_folder);
+    putNumber(store, 1);
+    for (const char* file : {"results.sqlite", "results.sqlite-wal", "results.sqlite-shm"}) fs::remove(m_folder / file);
+    const std::vector<std::function<void()>> ways{[&] { putNumber(store, 2); }, [&] { store.note("call", "{}"); },
+                                                  [&] { store.exportLines(); }};
+    for (const auto& way : ways) EXPECT_EQ(codeOf(way, "were taken away"), ErrorCode::Environment);
+    // Another one of that name is not ours.
+    ResultStore other(m_folder);
+    for (const auto& way : ways) EXPECT_EQ(codeOf(way, "were taken away"), ErrorCode::Environment);
+    putNumber(other, 1);
+    EXPECT_EQ(other.records(kCompareKind).size(), 1u);
 }
 
 // What is not done when the process dies is done by the next one; what is done is neither lost nor doubled.

@@ -21,6 +21,9 @@ using tuning::Candidate;
 using tuning::Goal;
 using tuning::Outcome;
 
+/// Times the share of a budget that is taken, the error of what breaks it: more than any metric has.
+constexpr double kOverBudget = 1e4;
+
 /// At most so many of a front are held against the held-out cameras.
 constexpr std::size_t kMostOfFront = 12;
 
@@ -32,6 +35,9 @@ void checkRequest(const TuneRequest& request) {
     if (request.pareto && request.errorBelow)
         throw Error(ErrorCode::Usage, "a Pareto search has no error bound: it shows every trade",
                     "leave one of the two out");
+    if (tuning::metricOf(request.metric).ofMotion)
+        throw Error(ErrorCode::Usage, "'" + request.metric + "' is measured under motion scripts, and tune plays none",
+                    "tune for another --metric; 'ombrage compare --motion' then holds the answer against the start");
     if (request.evaluations < 1 || request.finalists < 1 || request.seconds < 0)
         throw Error(ErrorCode::Usage, "a search needs at least one evaluation and one finalist");
 }
@@ -43,9 +49,12 @@ Goal goalOf(const TuneRequest& request) {
         goal.kind = Goal::Kind::LeastCost;
         goal.errorLimit = tuning::errorOf(tuning::metricOf(request.metric), *request.errorBelow);
     }
-    // Two kinds of cost are one number to the search: 1 is the budget where one is given.
-    if (request.budget_ms || request.budget_MiB)
+    if (request.budget_ms || request.budget_MiB) {
+        // Two kinds of cost are one number to the search: 1 is the budget where one is given.
         if (goal.kind == Goal::Kind::LeastError) goal.costLimit = 1;
+        // A front has its cost for itself; what breaks a budget beside it has an error over this bound.
+        if (goal.kind == Goal::Kind::Front) goal.errorLimit = kOverBudget / 2;
+    }
     return goal;
 }
 
@@ -110,7 +119,7 @@ private:
         outcome.cost = std::max(ofTime, ofMemory);
         if (m_goal.kind == Goal::Kind::LeastError) return outcome;
         // What breaks a budget beside is no answer: it counts as an error over every bound.
-        if (outcome.cost > 1) outcome.error = std::max(outcome.error, 0.0) + 1e3 * outcome.cost;
+        if (outcome.cost > 1) outcome.error = std::max(outcome.error, 0.0) + kOverBudget * outcome.cost;
         outcome.cost = m_request.cost == TuneCost::Time ? figures.time_ms.value_or(0) : figures.memory_MiB;
         return outcome;
     }
@@ -258,7 +267,10 @@ std::pair<std::string, double> parseErrorBelow(const std::string& text) {
     double bound = 0;
     if (equals == std::string::npos || !parseDouble(text.substr(equals + 1), bound))
         throw Error(ErrorCode::Usage, "--error-below: '" + text + "' is not METRIC=NUMBER", "as in rmse=0.05");
-    return {tuning::metricOf(text.substr(0, equals)).key, bound};
+    const MetricInfo& metric = tuning::metricOf(text.substr(0, equals));
+    if (metric.lowerIsBetter && bound < 0)
+        throw Error(ErrorCode::Usage, "--error-below: no " + metric.key + " has a size below 0", "as in rmse=0.05");
+    return {metric.key, bound};
 }
 
 TuneResult tune(const TuneRequest& request, const RendererOptions& options) {

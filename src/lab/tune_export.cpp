@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/strings.h"
 #include "lab/plan.h"
 
 namespace ombrage {
@@ -145,12 +146,23 @@ Json plainShadow(const MapValues& values, const LightScale& light) {
     return json;
 }
 
-/// What a radius of occlusion is called.
-Json occlusion(const std::string& engine, double radius_m) {
-    const char* note = "the same length, but the engine estimates occlusion in another way";
-    if (engine == "threejs") return {{"GTAOPass.radius", near(radius_m, note)}};
-    if (engine == "godot") return {{"Environment.ssao_radius", near(radius_m, note)}};
-    return {{"AmbientOcclusionOptions.radius", near(radius_m, note)}};
+/// A radius of occlusion by the engine's name. 0 is each scene's own: no one value stands for it where these differ.
+Json occlusion(const std::string& engine, double radius_m, const std::map<std::string, double>& sceneRadii_m) {
+    std::set<double> radii;
+    std::string told;
+    for (const auto& [scene, own_m] : sceneRadii_m) {
+        radii.insert(own_m);
+        told += (told.empty() ? "" : ", ") + scene + " " + formatNumber(own_m) + " m";
+    }
+    Json value;
+    if (radius_m > 0 || radii.size() == 1)
+        value = near(radius_m > 0 ? radius_m : *radii.begin(),
+                     "the same length, but the engine estimates occlusion in another way");
+    else
+        value = near(nullptr, "0 stands for each scene's own: " + told);
+    if (engine == "threejs") return {{"GTAOPass.radius", std::move(value)}};
+    if (engine == "godot") return {{"Environment.ssao_radius", std::move(value)}};
+    return {{"AmbientOcclusionOptions.radius", std::move(value)}};
 }
 
 Json jsonOf(const ParamValue& value) {
@@ -163,7 +175,7 @@ Json jsonOf(const ParamValue& value) {
 }  // namespace
 
 std::string exportText(const std::string& engine, Family family, const Pipeline& pipeline,
-                       const std::vector<LightScale>& lights) {
+                       const std::vector<LightScale>& lights, const std::map<std::string, double>& sceneRadii_m) {
     const auto& engines = tuneEngines();
     if (std::find(engines.begin(), engines.end(), engine) == engines.end())
         throw unknownName("engine", engine, engines);
@@ -185,8 +197,8 @@ std::string exportText(const std::string& engine, Family family, const Pipeline&
         if (values.constantBias_texels) used.insert("constant-bias");
         if (values.normalOffset_texels) used.insert("normal-offset");
         if (values.slopeBias_texels && engine == "gl") used.insert("slope-bias");
-    } else if (const auto radius = numberOf(params, "radius"); radius && *radius > 0 && engine != "gl") {
-        json["settings"] = occlusion(engine, *radius);
+    } else if (const auto radius = numberOf(params, "radius"); radius && engine != "gl") {
+        json["settings"] = occlusion(engine, *radius, sceneRadii_m);
         used.insert("radius");
     }
     // A program of one's own takes everything as it is; angles are in degrees.
@@ -211,7 +223,7 @@ std::string exportTuned(const std::string& engine, const TuneRequest& request, c
     const Pipeline pipeline = parsePipeline(family, text);
     std::vector<tuning::LightScale> scales;
     if (family == Family::Shadow)
-        for (const std::string& name : request.scenes) {
+        for (const std::string& name : eachOnce(request.scenes)) {
             const Scene scene = loadScene(name, request.sceneOptions);
             Renderer renderer(options);
             renderer.setScene(scene);
@@ -235,7 +247,14 @@ std::string exportTuned(const std::string& engine, const TuneRequest& request, c
                 scales.push_back(scale);
             }
         }
-    return tuning::exportText(engine, family, pipeline, scales);
+    std::map<std::string, double> radii_m;
+    if (family == Family::Ao)
+        for (const std::string& name : eachOnce(request.scenes)) {
+            const Scene scene = loadScene(name, request.sceneOptions);
+            // As a person writes it: 0.4 and not the nearest float's 0.4000000059604645.
+            radii_m[scene.name] = std::round(double(scene.aoRadius_m) * 1e6) / 1e6;
+        }
+    return tuning::exportText(engine, family, pipeline, scales, radii_m);
 }
 
 }  // namespace ombrage

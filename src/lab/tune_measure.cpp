@@ -39,7 +39,7 @@ Measurer::Measurer(const TuneRequest& request, const RendererOptions& options,
                    std::function<bool(const std::string&)> tell)
     : m_request(request), m_options(options), m_tell(std::move(tell)) {
     std::vector<std::string> names, cameras;
-    for (const std::string& name : request.scenes) {
+    for (const std::string& name : eachOnce(request.scenes)) {
         m_scenes.push_back({loadScene(name, request.sceneOptions), 1, nullptr});
         SceneUnit& unit = m_scenes.back();
         names.push_back(unit.scene.name);
@@ -169,7 +169,7 @@ Measurer::Times Measurer::timesOf(CaseUnit& unit, const Pipeline& pipeline) {
         drawFrames(renderer, settings, 1);
         const auto costs = takeTurns({[&](int frames) { return drawFrames(renderer, first, frames); },
                                       [&](int frames) { return drawFrames(renderer, settings, frames); }},
-                                     kRounds, kFramesPerRound, [&](int) { say(""); });
+                                     kRounds, kFramesPerRound, m_request.base.seed, [&](int) { say(""); });
         times.ratio = 1 + pairedDifference(costsOfRounds(costs[0].*deciding, kFramesPerRound),
                                            costsOfRounds(costs[1].*deciding, kFramesPerRound), m_request.base.seed)
                               .change;

@@ -138,12 +138,29 @@ TEST(TuneExport, ExactValuesAreWhatTheDefinitionsGiveAndTheOthersSayWhy) {
     EXPECT_THROW(exportText("unreal", Family::Shadow, pipeline, lights), Error);
 }
 
+TEST(TuneExport, ARadiusOfZeroIsTheScenesOwn) {
+    const Pipeline pipeline = parsePipeline(Family::Ao, "ao/blocks");
+    const auto radius = [&](const std::map<std::string, double>& radii_m) {
+        return Json::parse(exportText("threejs", Family::Ao, pipeline, {}, radii_m))["settings"]["GTAOPass.radius"];
+    };
+    EXPECT_EQ(radius({{"cornell", 0.25}})["value"], 0.25);
+    // Two scenes of one radius agree, others do not.
+    EXPECT_EQ(radius({{"cornell", 0.25}, {"corner", 0.25}})["value"], 0.25);
+    const Json several = radius({{"cornell", 0.25}, {"tree", 0.5}});
+    EXPECT_TRUE(several["value"].is_null());
+    EXPECT_EQ(several["note"], "0 stands for each scene's own: cornell 0.25 m, tree 0.5 m");
+    const Json missing = Json::parse(exportText("godot", Family::Ao, pipeline, {}, {{"cornell", 0.25}}));
+    EXPECT_FALSE(missing["without_counterpart"].contains("ao/blocks.radius"));
+}
+
 TEST(TuneText, WeightsAndBoundsAreChecked) {
     EXPECT_EQ(parseTuneWeight("menger=2.5"), std::make_pair(std::string("menger"), 2.5));
     for (const char* wrong : {"menger", "=1", "menger=0", "menger=-1", "menger=two"})
         EXPECT_THROW(parseTuneWeight(wrong), Error) << wrong;
     EXPECT_EQ(parseErrorBelow("rmse=0.05"), std::make_pair(std::string("rmse"), 0.05));
-    for (const char* wrong : {"rmse", "rmze=0.05", "rmse=low"}) EXPECT_THROW(parseErrorBelow(wrong), Error) << wrong;
+    EXPECT_EQ(parseErrorBelow("gain_db=-1").second, -1);
+    for (const char* wrong : {"rmse", "rmze=0.05", "rmse=low", "rmse=-1", "bias=-0.1"})
+        EXPECT_THROW(parseErrorBelow(wrong), Error) << wrong;
 }
 
 TEST(TuneText, TheSentenceSaysWhatWasGained) {
@@ -159,6 +176,14 @@ TEST(TuneText, TheSentenceSaysWhatWasGained) {
     EXPECT_EQ(result.sentence().rfind("Keep shadow/map:", 0), 0u);
     result.winner.isWithinLimits = false;
     EXPECT_EQ(result.sentence().rfind("Nothing within the limits", 0), 0u);
+    result.pareto = true;
+    EXPECT_EQ(result.sentence().rfind("Nothing within the limits", 0), 0u);
+    result.front = {result.start};
+    EXPECT_EQ(result.sentence(), "Nothing beats shadow/map with rmse 0.25 at 4.0 MiB on the held-out cameras.");
+    result.front.push_back({"shadow/map:bias=slope", {0.1, {}, 8}, TuneFigures{0.2, {}, 8}, true});
+    EXPECT_EQ(result.sentence(),
+              "Nothing beats these 2 on the held-out cameras: from shadow/map with rmse 0.25 at 4.0 MiB to "
+              "shadow/map:bias=slope with rmse 0.2 at 8.0 MiB.");
 }
 
 }  // namespace

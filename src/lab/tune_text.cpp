@@ -43,12 +43,16 @@ std::string TuneResult::sentence() const {
     const std::string where = winner.heldOut ? "on the held-out cameras" : "on the cameras that were searched";
     const std::string begin = interrupted ? "Interrupted, not yet decided on the held-out cameras: " : "";
     if (pareto) {
-        if (front.empty()) return begin + "Nothing within the limits was found.";
-        std::string text = fmt::format("{}Nothing beats these {} {}", begin, front.size(), where);
-        for (const TuneCandidate* end : {&front.front(), &front.back()})
-            text += fmt::format("{} {} with {} {:.4g} at {}", end == &front.front() ? ": from" : " to", end->pipeline,
-                                metric, figures(*end).error, costText(figures(*end), clock));
-        return text + ".";
+        if (front.empty())
+            return fmt::format("{}Nothing within the limits was found; the start, {}, has {} {:.4g} at {} {}.", begin,
+                               start.pipeline, metric, figures(start).error, costText(figures(start), clock), where);
+        const auto end = [&](const TuneCandidate& candidate) {
+            return fmt::format("{} with {} {:.4g} at {}", candidate.pipeline, metric, figures(candidate).error,
+                               costText(figures(candidate), clock));
+        };
+        if (front.size() == 1) return fmt::format("{}Nothing beats {} {}.", begin, end(front.front()), where);
+        return fmt::format("{}Nothing beats these {} {}: from {} to {}.", begin, front.size(), where,
+                           end(front.front()), end(front.back()));
     }
     const TuneFigures from = figures(start), to = figures(winner);
     if (!winner.isWithinLimits)

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
+#include <utility>
 
 #include "core/process_time.h"
 #include "lab/statistics.h"
@@ -28,13 +31,20 @@ bool isClear(const std::vector<FrameCosts>& costs, const TurnPlan& plan) {
 }  // namespace
 
 std::vector<FrameCosts> takeTurns(const std::vector<Subject>& subjects, int rounds, int framesPerRound,
-                                  const std::function<void(int round)>& afterRound) {
+                                  std::uint64_t seed, const std::function<void(int round)>& afterRound) {
     std::vector<FrameCosts> all(subjects.size());
+    std::vector<std::size_t> order(subjects.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::mt19937_64 random(seed);
     for (int round = 0; round < rounds; ++round) {
-        for (std::size_t i = 0; i < subjects.size(); ++i) {
-            const std::size_t turn = round % 2 == 0 ? i : subjects.size() - 1 - i;
-            append(all[turn], subjects[turn](framesPerRound));
+        // Forwards, in an order that was drawn for these two rounds, and then the same backwards.
+        if (round % 2 == 0) {
+            for (std::size_t i = order.size(); i > 1; --i)
+                std::swap(order[i - 1], order[std::size_t((random() >> 32) * i >> 32)]);
+        } else {
+            std::reverse(order.begin(), order.end());
         }
+        for (const std::size_t turn : order) append(all[turn], subjects[turn](framesPerRound));
         afterRound(round);
     }
     return all;
@@ -44,7 +54,7 @@ std::vector<FrameCosts> takeTurnsUntilClear(const std::vector<Subject>& subjects
                                             const std::function<void(int round)>& afterRound) {
     std::vector<FrameCosts> all(subjects.size());
     for (int time = 0; time < kMostTimes && (time == 0 || !isClear(all, plan)); ++time) {
-        const auto costs = takeTurns(subjects, plan.rounds, plan.framesPerRound,
+        const auto costs = takeTurns(subjects, plan.rounds, plan.framesPerRound, plan.seed + std::uint64_t(time),
                                      [&](int round) { afterRound(time * plan.rounds + round); });
         for (std::size_t i = 0; i < all.size(); ++i) append(all[i], costs[i]);
     }

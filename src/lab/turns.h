@@ -17,11 +17,13 @@ struct FrameCosts {
 /// Draws so many frames and says what they cost.
 using Subject = std::function<FrameCosts(int frames)>;
 
-/// Frames by turns: in each round every subject draws its share, forwards and backwards in alternate rounds, so that
-/// what changes slowly on the machine meets all of them alike. @return by subject, the rounds one after another
+/// Frames by turns: in each round every subject draws its share. Each second round goes backwards through the order of
+/// the one before it, so that what changes slowly on the machine meets all of them alike; the orders themselves are
+/// drawn anew, so that none always comes after another, whose big buffers it would find in the caches.
+/// @return by subject, the rounds one after another
 /// @param afterRound  may throw to stop
 std::vector<FrameCosts> takeTurns(const std::vector<Subject>& subjects, int rounds, int framesPerRound,
-                                  const std::function<void(int round)>& afterRound);
+                                  std::uint64_t seed, const std::function<void(int round)>& afterRound);
 
 /// The rounds of a bench: at least so many, and again as many until the differences to the first subject are known well
 /// enough, at most kMostTimes times.

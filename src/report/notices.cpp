@@ -51,9 +51,9 @@ std::string timeNotices(const std::vector<RunRecord>& records) {
         if (!r.frames_ms.empty()) fewest = std::min(fewest, r.frames_ms.size());
     if (fewest < kFramesForTimes)
         html +=
-            notice(fmt::format("Times are medians of {} frames, enough to rank what differs greatly. "
+            notice(fmt::format("Times are medians of {} frame{}, enough to rank what differs greatly. "
                                "'ombrage bench' measures differences and their intervals.",
-                               fewest));
+                               fewest, fewest == 1 ? "" : "s"));
     return html;
 }
 

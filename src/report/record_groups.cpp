@@ -12,28 +12,36 @@
 
 namespace ombrage {
 
+namespace {
+
+std::string timeText(const RunRecord& record) {
+    return record.time_s == 0 ? "" : ", at " + formatNumber(record.time_s) + " s";
+}
+
+}  // namespace
+
 std::string RecordGroup::place() const {
     const RunRecord& r = first();
-    return r.scene + (r.light.empty() ? "" : ", light " + r.light) + (r.motion.empty() ? "" : ", under " + r.motion);
+    return r.scene + (r.light.empty() ? "" : ", light " + r.light) + timeText(r) +
+           (r.motion.empty() ? "" : ", under " + r.motion);
 }
 
 std::string RecordGroup::title() const {
     const RunRecord& r = first();
-    return r.scene + ": " + r.family + (r.light.empty() ? "" : ", light " + r.light) +
+    return r.scene + ": " + r.family + (r.light.empty() ? "" : ", light " + r.light) + timeText(r) +
            (r.motion.empty() ? "" : ", under " + r.motion) +
            (hasOwnTruth(r) ? ", against what each technique claims" : "");
 }
 
 std::vector<RecordGroup> groupRecords(const std::vector<RunRecord>& records) {
-    using Key =
-        std::tuple<std::string, std::string, std::string, std::string, std::string, std::string, int, int, std::string>;
+    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, double, std::string, int,
+                           int, std::string>;
     std::vector<RecordGroup> groups;
     std::map<Key, std::size_t> places;
     for (std::size_t i = 0; i < records.size(); ++i) {
         const RunRecord& r = records[i];
-        const Key key{r.scene,  r.sceneHash, r.family,
-                      r.camera, r.light,     r.motion,
-                      r.width,  r.height,    r.truth ? r.truth->kind : std::string()};
+        const Key key{r.scene,  r.sceneHash, r.family, r.camera, r.light,
+                      r.time_s, r.motion,    r.width,  r.height, r.truth ? r.truth->kind : std::string()};
         const auto [place, isNew] = places.emplace(key, groups.size());
         if (isNew) groups.emplace_back();
         groups[place->second].records.push_back(&r);
@@ -63,12 +71,17 @@ std::string shellQuoted(const std::string& word) {
 }
 
 std::string commandFor(const RunRecord& r, const std::vector<RunNote>& notes) {
-    // A record has its scene's name; a scene that came from a file is asked for by the file.
+    std::vector<std::string> words{"ombrage", "compare"};
+    // Records of earlier versions have their scene's name only; one that came from a file was asked for by the file.
     std::string scene = r.scene;
     for (const RunNote& note : notes)
         for (const std::string& word : note.command)
             if (word != r.scene && std::filesystem::path(word).stem() == r.scene) scene = word;
-    std::vector<std::string> words{"ombrage", "compare", scene, "--technique", r.pipeline, "--camera", r.camera};
+    if (r.asked.empty())
+        words.push_back(scene);
+    else
+        words.insert(words.end(), r.asked.begin(), r.asked.end());
+    words.insert(words.end(), {"--technique", r.pipeline, "--camera", r.camera});
     const auto add = [&](const std::string& option, const std::string& value) {
         words.insert(words.end(), {option, value});
     };
@@ -83,6 +96,25 @@ std::string commandFor(const RunRecord& r, const std::vector<RunNote>& notes) {
     add("-o", "again");
     for (std::string& word : words) word = shellQuoted(word);
     return join(words, " ");
+}
+
+std::string settingsFor(const RunRecord& r) {
+    const auto quoted = [](const std::string& text) {
+        std::string literal = "\"";
+        for (const char c : text)
+            literal += c == '\n' ? "\\n" : c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+        return literal + "\"";
+    };
+    std::string code = fmt::format("ombrage::RenderSettings settings;\nsettings.width = {};\nsettings.height = {};\n",
+                                   r.width, r.height);
+    code += "settings.camera = " + quoted(r.camera) + ";\n";
+    if (!r.light.empty()) code += "settings.light = " + quoted(r.light) + ";\n";
+    if (r.time_s != 0) code += "settings.time_s = " + formatNumber(r.time_s) + ";\n";
+    code += fmt::format("settings.seed = {}u;\n", r.seed);
+    std::string family = r.family;
+    if (!family.empty() && family[0] >= 'a' && family[0] <= 'z') family[0] = char(family[0] - 'a' + 'A');
+    return code + fmt::format("settings.{} = ombrage::parsePipeline(ombrage::Family::{}, {});", r.family, family,
+                              quoted(r.pipeline));
 }
 
 }  // namespace ombrage

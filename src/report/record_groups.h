@@ -9,8 +9,8 @@
 
 namespace ombrage {
 
-/// Runs that answer the same question: same scene, family, camera, light, size and kind of truth. They stand in one
-/// table and are compared with each other; others never are.
+/// Runs that answer the same question: same scene, family, camera, light, time, motion, size and kind of truth. They
+/// stand in one table and are compared with each other; others never are.
 struct RecordGroup {
     std::vector<const RunRecord*> records;
     std::vector<std::size_t> indices;  ///< of the records in the report's list
@@ -33,6 +33,9 @@ std::optional<double> metricOf(const RunRecord& record, const std::string& key);
 
 /// One argument of a command as a shell takes it.
 std::string shellQuoted(const std::string& word);
+
+/// The settings of this record as C++ for a program that has the library: the family names their member.
+std::string settingsFor(const RunRecord& record);
 
 /// "ombrage compare SCENE --technique ..." that measures this record again. Scene files are named as the commands did.
 std::string commandFor(const RunRecord& record, const std::vector<RunNote>& notes);

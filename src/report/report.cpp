@@ -55,23 +55,44 @@ std::vector<RunRecord> recordsOf(const Stored& stored) {
     return records;
 }
 
+/// Of the same techniques measured again, by another build of the program perhaps, the later ones.
+std::vector<std::string> benchesOf(const Stored& stored, const std::filesystem::path& folder) {
+    std::vector<std::string> benches;
+    std::map<std::string, std::size_t> places;
+    for (const std::string& text : stored.benches) {
+        const auto group = nlohmann::json::parse(text, nullptr, false);
+        if (!group.is_object())
+            throw Error(ErrorCode::Input, "a bench in '" + folder.string() + "' is not JSON", "measure it again");
+        auto identity = nlohmann::json::array();
+        for (const char* key : {"scene", "scene_hash", "camera", "light", "size", "axis", "value"})
+            identity.push_back(group.value(key, nlohmann::json()));
+        for (const auto& run : group.value("runs", nlohmann::json::array()))
+            identity.push_back(run.is_object() ? run.value("label", nlohmann::json()) : nlohmann::json());
+        const auto [place, isNew] = places.emplace(identity.dump(), benches.size());
+        if (isNew)
+            benches.push_back(text);
+        else
+            benches[place->second] = text;
+    }
+    return benches;
+}
+
 }  // namespace
 
 std::filesystem::path writeReport(const std::filesystem::path& folder, const std::filesystem::path& output,
                                   ReportPictures size) {
     ReportData data;
-    Stored stored = readFolder(folder);
+    const Stored stored = readFolder(folder);
     data.records = recordsOf(stored);
     if (data.records.empty())
         throw Error(ErrorCode::Input, "there are no records in '" + folder.string() + "'",
-                    "a folder that 'ombrage compare -o DIR' wrote has some");
+                    stored.benches.empty() ? "a folder that 'ombrage compare -o DIR' wrote has some"
+                                           : "it has benches, which stand in the report of a comparison: 'ombrage "
+                                             "compare' into the same folder makes one");
     int line = 0;
     for (const std::string& text : stored.notes)
         data.notes.push_back(RunNote::fromJson(text, stored.notesFile + std::to_string(++line)));
-    for (const std::string& group : stored.benches)
-        if (!nlohmann::json::accept(group))
-            throw Error(ErrorCode::Input, "a bench in '" + folder.string() + "' is not JSON", "measure it again");
-    data.benchGroups = std::move(stored.benches);
+    data.benchGroups = benchesOf(stored, folder);
 
     const PictureFiles pictures(folder, data.records);
     data.missingPictures = pictures.missing();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <ombrage/compare.h>
 #include <ombrage/error.h>
@@ -11,10 +12,12 @@
 #include <regex>
 
 #include "lab/record_sample.h"
+#include "lab/store.h"
 #include "report/assets.h"
 #include "report/crops.h"
 #include "report/html_text.h"
 #include "report/page.h"
+#include "report/record_groups.h"
 
 namespace ombrage {
 namespace {
@@ -255,6 +258,60 @@ TEST_F(ReportTest, CommandsOfRunsCanBePasted) {
     EXPECT_NE(page().find(escapeHtml("ombrage compare gap --technique 'shadow/one:mode=it'\\''s' --camera main --light "
                                      "lamp --size 640x360 --seed 1 --truth shadow --spp 1024 -o again")),
               std::string::npos);
+}
+
+TEST_F(ReportTest, CommandsAskForTheSceneAsItWasAskedFor) {
+    RunRecord record = sampleRecord("shadow/one");
+    record.scene = "laboratory";
+    record.asked = {"my lab.json", "--ground", "--eye", "-1,2.5,3", "--time", "1.5"};
+    record.time_s = 1.5;
+    EXPECT_EQ(commandFor(record, {}),
+              "ombrage compare 'my lab.json' --ground --eye -1,2.5,3 --time 1.5 --technique shadow/one --camera main "
+              "--light lamp --size 640x360 --seed 1 --truth shadow --spp 1024 -o again");
+}
+
+TEST_F(ReportTest, AnotherMomentIsAnotherSection) {
+    add(sampleRecord("shadow/one"));
+    RunRecord later = sampleRecord("shadow/two");
+    later.time_s = 1.5;
+    add(later);
+    const std::string html = page();
+    EXPECT_NE(html.find("gap: shadow, light lamp, at 1.5 s</h2>"), std::string::npos);
+    EXPECT_NE(html.find("gap: shadow, light lamp</h2>"), std::string::npos);
+}
+
+TEST_F(ReportTest, SettingsAreShownAsCode) {
+    RunRecord record = sampleRecord("ao/one");
+    record.camera = "the \"left\" one";
+    record.light.clear();
+    record.pipeline = "ao/blocks:radius=0.5+filter/bilateral-separable";
+    const std::string code =
+        "ombrage::RenderSettings settings;\nsettings.width = 640;\nsettings.height = 360;\n"
+        "settings.camera = \"the \\\"left\\\" one\";\nsettings.seed = 1u;\n"
+        "settings.ao = ombrage::parsePipeline(ombrage::Family::Ao, "
+        "\"ao/blocks:radius=0.5+filter/bilateral-separable\");";
+    EXPECT_EQ(settingsFor(record), code);
+    appendLine(m_folder / kRecordsFile, record.toJson());
+    EXPECT_NE(page().find(escapeHtml(code)), std::string::npos);
+}
+
+TEST_F(ReportTest, OfBenchesThatWereTakenAgainTheLatestCounts) {
+    add(sampleRecord("shadow/one"));
+    ResultStore store(m_folder);
+    const auto put = [&](int build, const char* value, const char* label) {
+        store.put(ResultKey(kBenchKind).add("build", build).add("value", value).add("label", label),
+                  fmt::format(R"({{"scene":"gap","camera":"main","light":null,"size":[64,36],"axis":"resolution",)"
+                              R"("value":"{}","build":{},"runs":[{{"label":"{}"}}]}})",
+                              value, build, label),
+                  {});
+    };
+    put(1, "256", "shadow/map");
+    put(1, "512", "shadow/map");
+    put(2, "256", "shadow/map");
+    put(2, "256", "shadow/planar");
+    const std::string html = page();
+    EXPECT_EQ(countOf(html, "\"build\":1"), 1u) << "at 512, which was not measured again";
+    EXPECT_EQ(countOf(html, "\"build\":2"), 2u);
 }
 
 TEST_F(ReportTest, ShowsMeansOverScenesOnceThereAreTwo) {

@@ -150,7 +150,10 @@ std::string recordDetails(const RecordGroup& group, const std::vector<RunNote>& 
     for (const RunRecord* r : group.records) {
         html += "<h3><code>" + escapeHtml(r->pipeline) + "</code></h3>\n<p class=\"command\"><code>" +
                 escapeHtml(commandFor(*r, notes)) +
-                "</code> <button type=\"button\" class=\"copy\">Copy</button></p>\n";
+                "</code> <button type=\"button\" class=\"copy\">Copy</button></p>\n"
+                "<details class=\"command\"><summary>As C++</summary><pre><code>" +
+                escapeHtml(settingsFor(*r)) +
+                "</code></pre><button type=\"button\" class=\"copy\">Copy</button></details>\n";
         std::vector<std::string> metrics, params, counters;
         for (const auto& [key, value] : r->metrics) metrics.push_back(key + " " + shortNumber(value));
         for (const auto& [key, value] : r->params) params.push_back(key + "=" + toString(value));

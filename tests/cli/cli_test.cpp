@@ -421,6 +421,8 @@ TEST_F(Cli, EmptyTextsAndSilentGatesAreErrors) {
     expectUsageError(
         {"compare", "gap", "--technique", idOf("shadow"), "--fail-on", idOf("ao") + ".rmse>0", "-o", "out"},
         "not compared");
+    expectUsageError({"compare", "gap", "--technique", idOf("shadow"), "--fail-on", "flicker_mean>0.1", "-o", "out"},
+                     "nothing moves");
     expectUsageError({"render", "gap", "--shader-dir", ".", "-o", "x.png"}, "holds no shader");
 }
 
@@ -583,6 +585,44 @@ TEST_F(Cli, InterruptKeepsWholeLinesAndExits130) {
     EXPECT_TRUE(fs::exists(m_folder / "out/report.html"));
 }
 
+// The report's command must measure the same again, whatever made the scene what it is.
+TEST_F(Cli, TheReportsCommandMeasuresTheSameAgain) {
+    std::ofstream(m_folder / "tri angle.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\n";
+    std::ofstream(m_folder / "lab.json") << R"({"name": "laboratory", "models": [{"file": "tri angle.obj"}],
+        "lights": [{"name": "lamp", "type": "point", "position": [1, 3, 1]}],
+        "cameras": [{"name": "it's", "position": [3, 2, 3], "target": [0, 0, 0]}],
+        "animations": [{"type": "orbit-light", "light": "lamp"}]})";
+    const std::vector<std::vector<std::string>> calls{
+        {"lab.json", "--time", "2.5"}, {"tri angle.obj", "--ground", "--eye", "-2,1.5,2.5", "--target", "0,0.25,0"}};
+    for (std::vector<std::string> words : calls) {
+        words.insert(words.begin(), "compare");
+        words.insert(words.end(),
+                     {"--technique", "shadow/map:resolution=64", "--size", "64x36", "--seed", "5", "-o", "out"});
+        const Result result = run(words);
+        ASSERT_EQ(result.code, 0) << result.err;
+        const std::string page = content(m_folder / "out/report.html"), begin = "<p class=\"command\"><code>";
+        const std::size_t from = page.find(begin) + begin.size();
+        ASSERT_GT(from, begin.size());
+        std::string command = page.substr(from, page.find("</code>", from) - from);
+        for (std::size_t at = 0; (at = command.find("&#39;", at)) != std::string::npos;) command.replace(at, 5, "'");
+        const std::string shell = "cd '" + m_folder.string() + "' && '" OMBRAGE_PROGRAM "'" +
+                                  command.substr(std::string("ombrage").size()) + " >/dev/null 2>&1";
+        EXPECT_EQ(std::system(shell.c_str()), 0) << command;
+        const auto recordIn = [&](const char* folder) {
+            std::ifstream lines(m_folder / folder / "records.jsonl");
+            std::string line;
+            std::getline(lines, line);
+            return Json::parse(line);
+        };
+        const Json first = recordIn("out"), again = recordIn("again");
+        for (const char* key :
+             {"scene", "scene_hash", "camera", "light", "time_s", "size", "seed", "pipeline", "metrics", "truth"})
+            EXPECT_EQ(first[key], again[key]) << key << " of " << command;
+        fs::remove_all(m_folder / "out");
+        fs::remove_all(m_folder / "again");
+    }
+}
+
 TEST_F(Cli, RepeatedComparisonMeasuresOnlyWhatIsMissing) {
     const std::vector<std::string> command{"compare",     "gap",      "corner", "--technique", idOf("shadow"),
                                            "--technique", idOf("ao"), "-o",     "out",         "--size",
@@ -735,6 +775,8 @@ TEST_F(Cli, BenchExportsAndHoldsAgainstABaseline) {
     expectUsageError(with({"--fail-on", "+5%"}), "--baseline");
     expectUsageError(with({"--sweep", "resolution"}), "AXIS=A..B");
     expectUsageError(with({"--program", "--sweep", "size=1..2"}), "does not go with --program");
+    expectUsageError(with({"--seconds", "3"}), "--program only");
+    expectUsageError(with({"--sweep", "resolution=64,64"}), "stands twice");
 }
 
 TEST_F(Cli, BenchMeasuresWholeProgramsApart) {
@@ -811,6 +853,9 @@ TEST_F(Cli, TuneRefusesWhatDoesNotFit) {
         {"tune", "gap", "--technique", technique, "-o", "out", "--weight", "menger=2"},
         {"tune", "gap", "--technique", technique, "-o", "out", "--export", "unreal"},
         {"tune", "gap", "--technique", technique, "-o", "out", "--pareto", "--error-below", "rmse=0.1"},
+        {"tune", "gap", "--technique", technique, "-o", "out", "--metric", "flicker_mean"},
+        {"tune", "gap", "--technique", technique, "-o", "out", "--error-below", "lag=2"},
+        {"tune", "gap", "--technique", technique, "-o", "out", "--seconds", "0"},
         {"tune", "gap", "--technique", idOf("ao"), "-o", "out", "--truth", "own"},
         {"tune", "gap", "--technique", "shadow/none", "-o", "out"}};
     for (const auto& arguments : wrong) {
@@ -822,6 +867,11 @@ TEST_F(Cli, TuneRefusesWhatDoesNotFit) {
                               "--evaluations", "1", "--cost", "memory", "--error-below", "rmse=0", "-o", "out"});
     EXPECT_EQ(unmet.code, 1) << unmet.err;
     EXPECT_EQ(unmet.out.rfind("Nothing within the limits was found", 0), 0u) << unmet.out;
+    // So is a budget that leaves no front.
+    const Result none = run({"tune", "gap", "--technique", technique, "--size", "64x36", "--evaluations", "4", "--cost",
+                             "memory", "--memory", "0.001", "--pareto", "-o", "out"});
+    EXPECT_EQ(none.code, 1) << none.out;
+    EXPECT_EQ(none.out.rfind("Nothing within the limits was found", 0), 0u) << none.out;
 }
 
 TEST_F(Cli, ADecimalCommaInTheEnvironmentChangesNothing) {

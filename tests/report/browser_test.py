@@ -242,6 +242,22 @@ class ReportTest(unittest.TestCase):
         self.browser.click("#theme")
         self.assertEqual(self.browser.run("document.querySelector('#theme').textContent"), "Theme: system")
 
+    def test_paper_has_headings_plots_and_whole_tables(self):
+        # Sections that were never seen are drawn at the moment of printing, without waiting for a frame.
+        empty = self.browser.run("""(() => {
+            dispatchEvent(new Event('beforeprint'));
+            return [...document.querySelectorAll('svg.chart')].filter(chart => !chart.childElementCount).length; })()""")
+        self.assertEqual(empty, 0)
+        self.assertGreater(self.browser.run("document.querySelectorAll('.times svg.chart').length"), 1)
+        self.browser.resize(720, 1000)  # A4 less margins, at 96 pixels an inch
+        self.browser.command("Emulation.setEmulatedMedia", media="print")
+        try:
+            self.assertEqual(self.browser.run("[...document.querySelectorAll('thead th')].filter(h => !h.innerText.trim()).length"), 0)
+            widest = self.browser.run("Math.max(...[...document.querySelectorAll('table')].map(t => t.getBoundingClientRect().right))")
+            self.assertLessEqual(widest, 720)
+        finally:
+            self.browser.command("Emulation.setEmulatedMedia", media="")
+
     def test_a_narrow_screen_scrolls_down_only(self):
         self.browser.resize(400, 800)
         self.browser.run("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
@@ -264,6 +280,11 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(self.browser.run("document.querySelectorAll('#bench table tbody tr').length"), 2)
         self.assertEqual(self.browser.run("document.querySelectorAll('#bench .spark polyline').length"), 2)
         self.assertGreaterEqual(self.browser.run("document.querySelectorAll('#bench circle.dot').length"), 2 * 12)
+        # The figure that decides stands beside what it decides.
+        text = self.browser.run("document.querySelector('#bench').innerText")
+        self.assertIn("process [ms]", text)
+        self.assertRegex(text, r"Differences are of the (processor|GPU) time")
+        self.assertRegex(text, r": [+-]?[0-9.]+ %, 99 % interval [+-]?[0-9.]+ % to [+-]?[0-9.]+ %")
 
     def test_many_rows_and_names_that_are_markup(self):
         self.open(self.many)

@@ -29,10 +29,18 @@ function button(text, onclick, attributes = {}) {
 }
 
 // Draws again whenever the width of an element changes; one that is not shown has none.
+const kSized = [];
 function whenSized(element, draw) {
   let width = 0;
-  new ResizeObserver(() => {
+  const look = () => {
     const now = Math.floor(element.clientWidth);
     if (now > 0 && now !== width) draw(width = now);
-  }).observe(element);
+  };
+  kSized.push(look);
+  new ResizeObserver(look).observe(element);
+}
+
+// A page that is printed does not wait for observers.
+function drawNow() {
+  for (const look of kSized) look();
 }

@@ -58,6 +58,12 @@ function startTimes(section) {
   strips(body, runs);
 }
 
+const kDeciding = {
+  process_ms: 'Differences are of the processor time of the whole process, round by round.',
+  gpu_ms: 'Differences are of the GPU time, round by round.',
+};
+const percent = share => (share > 0 ? '+' : '') + (100 * share).toFixed(1) + ' %';
+
 // What "ombrage bench -o" left in the same folder.
 function startBenches() {
   const section = document.getElementById('bench');
@@ -67,18 +73,19 @@ function startBenches() {
     const rows = group.runs.map(run => {
       const change = run.to_first;
       return el('tr', {}, el('th', { scope: 'row', class: 'text' }, el('code', {}, run.label)),
-        ...[run.gpu_ms.median, run.gpu_ms.p95, run.gpu_ms.mad, run.cpu_ms.median].map(v => el('td', { 'data-v': v }, shortNumber(v))),
+        ...[run.gpu_ms.median, run.gpu_ms.p95, run.gpu_ms.mad, run.process_ms?.median, run.cpu_ms.median].map(v => el('td', { 'data-v': v }, shortNumber(v))),
         el('td', { class: 'spark' }, run.gpu_ms.samples.length ? sparkline(run.gpu_ms.samples, 120) : null),
-        el('td', { class: 'text' }, change ? change.verdict + ', 99 % interval ' + shortNumber(100 * change.low) + ' % to ' +
-          shortNumber(100 * change.high) + ' %' : 'the first'));
+        el('td', { class: 'text' }, change ? change.verdict + ': ' + percent(change.change) + ', 99 % interval ' + percent(change.low) + ' to ' +
+          percent(change.high) : 'the first'));
     });
-    const head = ['run', 'GPU [ms]', 'p95 [ms]', 'MAD [ms]', 'CPU [ms]'].map((name, i) =>
+    const head = ['run', 'GPU [ms]', 'p95 [ms]', 'MAD [ms]', 'process [ms]', 'CPU [ms]'].map((name, i) =>
       el('th', { scope: 'col', 'data-kind': i ? 'number' : 'text' }, button(name)));
     const table = el('table', { class: 'sortable' },
       el('thead', {}, el('tr', {}, ...head, el('th', { scope: 'col', class: 'text' }, 'frames'),
         el('th', { scope: 'col', class: 'text' }, 'against the first'))), el('tbody', {}, ...rows));
     const scatter = el('div', {});
-    section.append(el('h3', {}, group.scene + (group.light ? ', light ' + group.light : '') + ', ' + group.size.join('x') + swept),
+    section.append(el('h3', {}, group.scene + ', camera ' + group.camera + (group.light ? ', light ' + group.light : '') + ', ' + group.size.join('x') + swept),
+      ...kDeciding[group.decided_by] ? [el('p', {}, kDeciding[group.decided_by])] : [],
       el('div', { class: 'wide', tabindex: 0, role: 'region', 'aria-label': 'Benchmark' }, table), scatter);
     const runs = group.runs.filter(run => run.gpu_ms.samples.length).map(run => ({ name: run.label, samples: run.gpu_ms.samples }));
     if (runs.length) strips(scatter, runs);

@@ -27,5 +27,6 @@ for (const section of document.querySelectorAll('section.measured')) nearby.obse
 addEventListener('beforeprint', () => {
   document.querySelectorAll('section.measured').forEach(startSection);
   document.querySelectorAll('details').forEach(details => { details.open = true; });
+  drawNow();
 });
 document.documentElement.dataset.ready = 'yes';
