@@ -34,6 +34,8 @@ void GpuBvh::bind(const gl::Program& program) const {
     program.set("u_bvhNodeCount", m_nodeCount);
 }
 
-std::uint64_t GpuBvh::gpuBytes() const { return m_nodes.size() + m_triangles.gpuBytes(); }
+std::uint64_t GpuBvh::gpuBytes() const {
+    return m_nodes.size() + m_triangles.gpuBytes();
+}
 
 }  // namespace ombrage

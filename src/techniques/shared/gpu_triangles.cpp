@@ -101,7 +101,8 @@ GpuTriangles::GpuTriangles(const GpuScene& scene, std::vector<std::uint32_t> ord
         if (scene.scene().materials[std::size_t(material)].alphaMode == AlphaMode::Mask) {
             const HoleBits::Field field = holes.fieldOf(material);
             for (int k = 0; k < 3; ++k)
-                for (int axis = 0; axis < 2; ++axis) alpha.push_back(std::bit_cast<std::uint32_t>(flat.uvs[corner[k]][axis]));
+                for (int axis = 0; axis < 2; ++axis)
+                    alpha.push_back(std::bit_cast<std::uint32_t>(flat.uvs[corner[k]][axis]));
             alpha.push_back(field.firstWord);
             alpha.push_back(field.width | field.height << 16);
             record = std::uint32_t(alpha.size() / kRecordWords);

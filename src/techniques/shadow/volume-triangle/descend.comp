@@ -23,47 +23,38 @@ void lookInto(uint caster, ivec2 node) {
     for (int k = 0; k < plane.length(); ++k) plane[k] = texelFetch(t_volumes, volumeTexel(caster, k), 0);
     bool sure = texelFetch(t_volumes, volumeTexel(caster, PLANES), 0).x != 0.0;
     float margin_m = marginOf(u_rayExtent_m);
-    uvec2 inside = uvec2(0u);
-    uint looks = 0u;
+    uvec2 inside = uvec2(0u), cut = uvec2(0u);
+#ifdef COUNT
+    count(COUNT_NODES, uint(bitCount(open.x) + bitCount(open.y)));
+#endif
 
-    while ((open.x | open.y) != 0u) {
-        bool upper = open.x == 0u;
-        uint word = upper ? open.y : open.x, index = uint(findLSB(word));
-        uint bit = word & -word;
-        if (upper) open.y ^= bit;
-        else open.x ^= bit;
-        ivec2 child = childAt(node, upper ? index + 32u : index);
+    while (isAny(open)) {
+        uint index = takeFirst(open);
+        ivec2 child = childAt(node, index);
         vec3 lowest = texelFetch(t_boxes, ivec3(child, 0), 3 * (u_level - 2)).xyz;
         vec3 highest = texelFetch(t_boxes, ivec3(child, 1), 3 * (u_level - 2)).xyz;
-
-        // Both signed distances of the box at once: how far it reaches to either side of its centre.
         vec3 centre = 0.5 * (lowest + highest), halfSize = 0.5 * (highest - lowest);
-        float foremost = 3e38, rearmost = 3e38;
+        // The least signed distances of the corners that lie farthest to the front and to the rear of each plane.
+        float foremost_m = 3e38, rearmost_m = 3e38;
         for (int k = 0; k < plane.length(); ++k) {
             float distance_m = dot(plane[k].xyz, centre) + plane[k].w, reach_m = dot(abs(plane[k].xyz), halfSize);
-            foremost = min(foremost, distance_m + reach_m);
-            if (k < SIDES) rearmost = min(rearmost, distance_m - reach_m);
+            foremost_m = min(foremost_m, distance_m + reach_m);
+            if (k < SIDES) rearmost_m = min(rearmost_m, distance_m - reach_m);
         }
-        bool isInside = WHOLE_NODES != 0 && sure && rearmost > margin_m;
-        if (isInside) {
-            if (upper) inside.y |= bit;
-            else inside.x |= bit;
-        } else if (foremost >= -margin_m) {
-            append(uint(u_level - 1), caster, child);
-        }
-        ++looks;
+        bool isInside = WHOLE_NODES != 0 && sure && rearmost_m > margin_m;
+        if (isInside) inside |= bitOf(index);
+        else if (foremost_m >= -margin_m) cut |= bitOf(index);
     }
 
-    if ((inside.x | inside.y) != 0u) {
+    // Apart from the loop above: llvmpipe runs through all branches, and these take long.
+    while (isAny(cut)) append(uint(u_level - 1), caster, childAt(node, takeFirst(cut)));
+    if (isAny(inside)) {
         atomicOr(b_nodes[entry + ENTRY_DARK], inside.x);
         atomicOr(b_nodes[entry + ENTRY_DARK + 1u], inside.y);
 #if SKIP_DARK
         markDone(u_level, node, inside);
 #endif
     }
-#ifdef COUNT
-    count(COUNT_NODES, looks);
-#endif
 }
 
 void main() {

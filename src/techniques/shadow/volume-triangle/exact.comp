@@ -25,7 +25,6 @@ void main() {
     for (uint place = gl_GlobalInvocationID.x; place < lengthOf(QUEUE_EXACT); place += stride) {
         uvec2 pair = pairAt(QUEUE_EXACT, place);
         ivec2 px = placeOf(pair), tile = px >> 3;
-        uint index = indexOf(px), bit = 1u << (index & 31u);
-        if (isStopped(px, u_firstCaster + pair.x)) markDone(1, tile, index < 32u ? uvec2(bit, 0u) : uvec2(0u, bit));
+        if (isStopped(px, u_firstCaster + pair.x)) markDone(1, tile, bitOf(indexOf(px)));
     }
 }

@@ -27,6 +27,18 @@ uint entryOf(int level, ivec2 node) {
     return NODES_HEADER + 4u * (before + uint(node.y * gridOf(level).x + node.x));
 }
 
+// Takes the first of 64 bits away and gives its index. Some bit must be set.
+uint takeFirst(inout uvec2 bits) {
+    bool upper = bits.x == 0u;
+    uint index = uint(findLSB(upper ? bits.y : bits.x)) + (upper ? 32u : 0u);
+    // Of a word of 0 nothing is taken.
+    bits = uvec2(bits.x & (bits.x - 1u), upper ? bits.y & (bits.y - 1u) : bits.y);
+    return index;
+}
+
+bool isAny(uvec2 bits) { return (bits.x | bits.y) != 0u; }
+uvec2 bitOf(uint index) { return index < 32u ? uvec2(1u << index, 0u) : uvec2(0u, 1u << (index & 31u)); }
+
 ivec2 childAt(ivec2 node, uint index) { return node * 8 + ivec2(index & 7u, index >> 3); }
 uint indexOf(ivec2 child) { return uint((child.y & 7) * 8 + (child.x & 7)); }
 
@@ -35,12 +47,14 @@ void count(uint counter, uint amount) {
     if (before + amount < before) atomicAdd(b_nodes[counter + 1u], 1u);
 }
 
-// Whether a volume, or several together, hold the node as a whole.
-bool isDone(int level, ivec2 node) {
-    if (SKIP_DARK == 0 || level == TOP_LEVEL) return false;
-    uint index = indexOf(node);
-    return (b_nodes[entryOf(level + 1, node >> 3) + ENTRY_DONE + (index >> 5)] >> (index & 31u) & 1u) != 0u;
+// A bit of a child, in the ENTRY_ words of its node, which is of this level.
+bool isMarked(int level, ivec2 child, uint words) {
+    uint index = indexOf(child);
+    return (b_nodes[entryOf(level, child >> 3) + words + (index >> 5)] >> (index & 31u) & 1u) != 0u;
 }
+
+// Whether a volume, or several together, hold the node as a whole.
+bool isDone(int level, ivec2 node) { return SKIP_DARK != 0 && level < TOP_LEVEL && isMarked(level + 1, node, ENTRY_DONE); }
 
 // Children of a node have nothing left to ask; what then is true of the node itself.
 void markDone(int level, ivec2 node, uvec2 children) {
@@ -53,8 +67,7 @@ void markDone(int level, ivec2 node, uvec2 children) {
 #else
         isWhole = false;
 #endif
-        uint index = indexOf(node), bit = 1u << (index & 31u);
-        children = index < 32u ? uvec2(bit, 0u) : uvec2(0u, bit);
+        children = bitOf(indexOf(node));
         node >>= 3;
     }
 }

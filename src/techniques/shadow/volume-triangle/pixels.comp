@@ -30,38 +30,29 @@ void main() {
     for (int k = 0; k < SIDES; ++k) side[k] = texelFetch(t_volumes, volumeTexel(pair.x, k), 0);
     bool sure = texelFetch(t_volumes, volumeTexel(pair.x, PLANES), 0).x != 0.0;
     float margin_m = marginOf(u_rayExtent_m);
-    uvec2 dark = uvec2(0u);
-    uint tests = 0u, unsure = 0u;
+    uvec2 dark = uvec2(0u), unsure = uvec2(0u);
+#ifdef COUNT
+    count(COUNT_PIXELS, uint(bitCount(open.x) + bitCount(open.y)));
+#endif
 
-    while ((open.x | open.y) != 0u) {
-        bool upper = open.x == 0u;
-        uint word = upper ? open.y : open.x, index = uint(findLSB(word));
-        uint bit = word & -word;
-        if (upper) open.y ^= bit;
-        else open.x ^= bit;
-        ivec2 px = childAt(tile, upper ? index + 32u : index);
+    while (isAny(open)) {
+        uint index = takeFirst(open);
+        ivec2 px = childAt(tile, index);
         uvec4 receiver = texelFetch(t_receivers, px, 0);
         vec3 p = uintBitsToFloat(receiver.xyz);
         float least_m = 3e38;
         for (int k = 0; k < SIDES; ++k) least_m = min(least_m, dot(side[k].xyz, p) + side[k].w);
-
         // Clear of the planes there is no doubt; else the pixel's ray decides, in a pass of its own.
-        if (sure && least_m > margin_m) {
-            if (upper) dark.y |= bit;
-            else dark.x |= bit;
-        } else if (least_m >= -margin_m && receiver.w != u_firstCaster + pair.x) {
-            append(QUEUE_EXACT, pair.x, px);
-            ++unsure;
-        }
+        if (sure && least_m > margin_m) dark |= bitOf(index);
+        else if (least_m >= -margin_m && receiver.w != u_firstCaster + pair.x) unsure |= bitOf(index);
 #ifdef SHOW_TESTS
         imageAtomicAdd(i_tests, px, 1u);
 #endif
-        ++tests;
     }
 
-    if ((dark.x | dark.y) != 0u) markDone(1, tile, dark);
 #ifdef COUNT
-    count(COUNT_PIXELS, tests);
-    count(COUNT_EXACT, unsure);
+    count(COUNT_EXACT, uint(bitCount(unsure.x) + bitCount(unsure.y)));
 #endif
+    while (isAny(unsure)) append(QUEUE_EXACT, pair.x, childAt(tile, takeFirst(unsure)));
+    if (isAny(dark)) markDone(1, tile, dark);
 }

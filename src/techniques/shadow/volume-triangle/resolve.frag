@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the marks of nodes down to the pixels: 0 where the pixel or any node above it is in shadow. SHOW_LEVEL: the level that
-// was marked, counted from 1; 0 where the light comes.
+// The marks of tiles as a picture. SHOW_LEVEL: the topmost level that was marked, counted from 1; 0 where the light comes.
 #include "shadow/volume-triangle/nodes.glsl"
 
 #ifdef SHOW_LEVEL
@@ -9,21 +8,15 @@ layout(location = 0) out uint o_level;
 layout(location = 0) out float o_visibility;
 #endif
 
-bool isMarked(int level, ivec2 child, uint words) {
-    uint index = indexOf(child);
-    return (b_nodes[entryOf(level, child >> 3) + words + (index >> 5)] >> (index & 31u) & 1u) != 0u;
-}
-
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
-    uint shadowedBy = isMarked(1, px, ENTRY_DONE) ? 1u : 0u;
-    for (int level = 2; level <= TOP_LEVEL; ++level)
-        if (isMarked(level, px >> (3 * (level - 1)), ENTRY_DARK)) shadowedBy = uint(level);
-    if (!isMarked(1, px, ENTRY_ASKED)) shadowedBy = 0u;
+    bool isDark = isMarked(1, px, ENTRY_DONE);
 #ifdef SHOW_LEVEL
-    o_level = shadowedBy;
+    o_level = isDark ? 1u : 0u;
+    for (int level = 2; level <= TOP_LEVEL; ++level)
+        if (isDark && isMarked(level, px >> (3 * (level - 1)), ENTRY_DARK)) o_level = uint(level);
 #else
     o_visibility = 0.0;
-    if (shadowedBy == 0u) discard;
+    if (!isDark) discard;
 #endif
 }

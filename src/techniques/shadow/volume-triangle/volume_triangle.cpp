@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// shadow/volume-triangle: a shadow volume per triangle against a hierarchy of the view's own points, in compute shaders.
+// shadow/volume-triangle: a shadow volume per triangle against a hierarchy of the view's own points, in compute
+// shaders.
 #include <algorithm>
 #include <array>
 
@@ -36,9 +37,9 @@ struct VolumeTriangleParams {
         return fields(
             field(&P::root, "root")
                 .effect(ParamEffect::Host)
-                .help("Size of the nodes that every volume starts with: smaller, more groups at work at once, which "
-                      "few large triangles need; larger, fewer tests for many small ones. `auto` takes the smallest "
-                      "that gives at most 65536 groups."),
+                .help("Size of the nodes that every volume starts with: smaller, more work at once, which few large "
+                      "triangles need; larger, fewer tests for many small ones. `auto` takes the smallest "
+                      "that starts at most 262144 tests."),
             field(&P::wholeNodes, "whole-nodes")
                 .effect(ParamEffect::Define)
                 .help("Nodes that lie wholly inside of a volume are marked as such, instead of pixel by pixel."),
@@ -148,9 +149,14 @@ private:
     }
 
     const gl::Program& program(FrameContext& frame, const char* name, Defines defines = {}) {
-        if (frame.recorder->capturing) defines.emplace_back("COUNT", "1");
         return frame.program(*this, {{GL_COMPUTE_SHADER, std::string("shadow/volume-triangle/") + name}},
                              std::move(defines));
+    }
+
+    /// Frames that are read back anyway count what was done.
+    static Defines counting(const FrameContext& frame, Defines defines = {}) {
+        if (frame.recorder->capturing) defines.emplace_back("COUNT", "1");
+        return defines;
     }
 
     static void dispatch(FrameContext& frame, std::size_t x, std::size_t y) {
@@ -161,7 +167,7 @@ private:
     void gatherReceivers(FrameContext& frame, const GpuCasters& casters) {
         const auto pass = frame.pass("receivers");
         m_nodes.upload(0, sizeof(std::uint32_t) * kCounterWords, std::array<std::uint32_t, kCounterWords>{}.data());
-        const gl::Program& tiles = program(frame, "receivers.comp");
+        const gl::Program& tiles = program(frame, "receivers.comp", counting(frame));
         casters.triangles.bind(tiles);
         frame.bindGBuffer();
         m_receivers->bindImage(0, GL_WRITE_ONLY);
@@ -179,11 +185,13 @@ private:
         gl::barrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     }
 
-    /// The level of the nodes that volumes start with.
+    /// The level of the nodes that volumes start with. A dispatch has room for 65535 of them.
     int rootLevel(const FrameContext& frame, std::uint32_t casters) const {
-        if (p().root != RootSize::Auto) return 1 + int(p().root);
-        int level = 2;
-        while (level < kTopLevel && casters * nodesOf(frame, level) > kEnoughLanes) ++level;
+        const bool isAuto = p().root == RootSize::Auto;
+        int level = isAuto ? 2 : 1 + int(p().root);
+        while (level < kTopLevel &&
+               (nodesOf(frame, level) > 65535 || (isAuto && casters * nodesOf(frame, level) > kEnoughLanes)))
+            ++level;
         return level;
     }
 
@@ -202,8 +210,10 @@ private:
         m_boxes->bind(kUnitBoxes);
         m_receivers->bind(kUnitReceivers);
 
+        int batches = 0;
         for (std::uint32_t first = 0; first < casters.count;) {
             const std::uint32_t count = std::min(m_batch, casters.count - first);
+            ++batches;
             const double fill = testBatch(frame, casters, first, count, tests.get());
             if (fill > 1.0) {
                 m_batch = std::max(1u, count / 2);
@@ -212,6 +222,7 @@ private:
             first += count;
             if (fill < 0.25) m_batch = std::min(kMostCasters, m_batch * 2);
         }
+        frame.counter("batches", batches);
         gl::barrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
         if (tests) frame.expose("pixel-tests", *tests, ShowAs::Count);
     }
@@ -223,12 +234,12 @@ private:
 
         // The roots first, then level after level down to the tiles.
         int level = rootLevel(frame, casters.count);
-        const gl::Program& roots = queueProgram(frame, "descend.comp", casters, {{"FROM_ROOTS", "1"}});
+        const gl::Program& roots = queueProgram(frame, "descend.comp", casters, counting(frame, {{"FROM_ROOTS", "1"}}));
         roots.set("u_casters", count);
         roots.set("u_level", level);
         dispatch(frame, (count + 63) / 64, nodesOf(frame, level));
         if (--level > 1) {
-            const gl::Program& descend = queueProgram(frame, "descend.comp", casters);
+            const gl::Program& descend = queueProgram(frame, "descend.comp", casters, counting(frame));
             for (; level > 1; --level) {
                 descend.set("u_level", level);
                 dispatchQueue(frame, unsigned(level));
@@ -236,8 +247,8 @@ private:
         }
 
         // Their pixels, and the rays of pixels near a plane.
-        const gl::Program& pixels =
-            queueProgram(frame, "pixels.comp", casters, tests ? Defines{{"SHOW_TESTS", "1"}} : Defines{});
+        const gl::Program& pixels = queueProgram(frame, "pixels.comp", casters,
+                                                 counting(frame, tests ? Defines{{"SHOW_TESTS", "1"}} : Defines{}));
         pixels.set("u_firstCaster", first);
         if (tests) tests->bindImage(0, GL_READ_WRITE);
         dispatchQueue(frame, kTileQueue);
@@ -284,13 +295,17 @@ private:
         m_nodes.download(kCounterWords * sizeof(std::uint32_t), sizeof queues, queues.data());
         double fullest = 0.0;
         for (std::size_t q = 0; q < kQueues; ++q)
-            fullest = std::max(fullest, double(queues[q * kQueueWords]) / (q == kExactQueue ? m_exactSize : m_queueSize));
+            fullest =
+                std::max(fullest, double(queues[q * kQueueWords]) / (q == kExactQueue ? m_exactSize : m_queueSize));
         return fullest;
     }
 
     void resolve(FrameContext& frame, const gl::Texture& visibility) {
         {
             const auto pass = frame.pass("shadow from nodes");
+            program(frame, "tiles.comp");
+            dispatch(frame, std::size_t(gridOf(frame, 1).x + 63) / 64, std::size_t(gridOf(frame, 1).y));
+            gl::barrier(GL_SHADER_STORAGE_BARRIER_BIT);
             const gl::Framebuffer target({{&visibility}}, {}, "shadow from nodes");
             target.bind();
             gl::apply({});
@@ -323,11 +338,6 @@ private:
         frame.counter("pixel tests saved", double(counts[0]) * double(casting) - double(counts[2]));
     }
 
-    static void dispatch(FrameContext& frame, int x, int y, int z) {
-        gl::dispatch(x, y, z);
-        frame.countDraw(1, 0);
-    }
-
     gl::Buffer m_nodes, m_queues, m_excluded;
     std::uint32_t m_queueSize = 0, m_exactSize = 0;      ///< entries
     std::uint32_t m_batch = kMostCasters;                ///< as many casters as found room last
@@ -340,7 +350,7 @@ private:
 OMBRAGE_TECHNIQUE(
     shadow, volume_triangle, VolumeTriangle,
     {.title = "Shadow volumes, one per triangle",
-     .summary = "The shadow volume of every triangle by itself against a hierarchy of the points that are seen: exact "
+     .summary = "The shadow volume of every triangle, by itself, against a hierarchy of the points that are seen: exact "
                 "for any soup of triangles and for alpha-tested ones, with neither silhouettes nor stencil.",
      .papers = {"sintorn2011triangle", "davidovic2012"},
      .limits = "Hard shadows only; the cost grows with the number of triangles times the nodes that the border of each "
