@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Bounds of what 64 lanes hold.
+// Bounds of what 64 lanes hold, and the triangle that all of it lies on, if it is one.
 
-shared uint s_lower[3], s_upper[3];
+#define MANY_TRIANGLES -1.0
+
+shared uint s_lower[3], s_upper[3], s_leastTriangle, s_mostTriangle;
 
 // Unsigned numbers in the order of floats.
 uint orderedFromFloat(float x) {
@@ -12,6 +14,10 @@ uint orderedFromFloat(float x) {
 float floatFromOrdered(uint ordered) { return uintBitsToFloat((ordered >> 31) != 0u ? ordered & 0x7fffffffu : ~ordered); }
 
 void clearBounds() {
+    if (gl_LocalInvocationIndex == 0u) {
+        s_leastTriangle = ~0u;
+        s_mostTriangle = 0u;
+    }
     if (gl_LocalInvocationIndex < 3u) {
         s_lower[gl_LocalInvocationIndex] = orderedFromFloat(3e38);
         s_upper[gl_LocalInvocationIndex] = orderedFromFloat(-3e38);
@@ -24,6 +30,16 @@ void growBounds(vec3 lower, vec3 upper) {
         atomicMax(s_upper[axis], orderedFromFloat(upper[axis]));
     }
 }
+
+// A place of a triangle as a float, which knows those below 2^24 apart.
+float triangleFromPlace(uint place) { return place < 0x1000000u ? float(place) : MANY_TRIANGLES; }
+
+void growTriangles(float triangle) {
+    atomicMin(s_leastTriangle, triangle == MANY_TRIANGLES ? 0u : uint(triangle));
+    atomicMax(s_mostTriangle, triangle == MANY_TRIANGLES ? ~0u : uint(triangle));
+}
+
+float oneTriangle() { return s_leastTriangle == s_mostTriangle ? float(s_leastTriangle) : MANY_TRIANGLES; }
 
 // Of lanes that held nothing the lower bound is above the upper one.
 vec3 lowerBound() { return vec3(floatFromOrdered(s_lower[0]), floatFromOrdered(s_lower[1]), floatFromOrdered(s_lower[2])); }

@@ -21,10 +21,13 @@ void main() {
 
     bool isEmpty = true;
     if (all(lessThan(child, gridOf(u_level - 1)))) {
-        vec3 lower = texelFetch(t_boxes, ivec3(child, 0), 3 * (u_level - 2)).xyz;
+        vec4 lower = texelFetch(t_boxes, ivec3(child, 0), 3 * (u_level - 2));
         vec3 upper = texelFetch(t_boxes, ivec3(child, 1), 3 * (u_level - 2)).xyz;
         isEmpty = lower.x > upper.x;
-        if (!isEmpty) growBounds(lower, upper);
+        if (!isEmpty) {
+            growBounds(lower.xyz, upper);
+            growTriangles(lower.w);
+        }
     }
     if (isEmpty) atomicOr(s_empty[lane >> 5], 1u << (lane & 31u));
     barrier();
@@ -32,7 +35,7 @@ void main() {
     if (lane == 0u) {
         // No one asks for the box of a node of the top level.
         if (u_level < TOP_LEVEL) {
-            imageStore(i_boxes, ivec3(node, 0), vec4(lowerBound(), 0.0));
+            imageStore(i_boxes, ivec3(node, 0), vec4(lowerBound(), oneTriangle()));
             imageStore(i_boxes, ivec3(node, 1), vec4(upperBound(), 0.0));
         }
         uint entry = entryOf(u_level, node);

@@ -11,6 +11,7 @@ layout(binding = 6) uniform sampler2DArray t_boxes;
 
 uniform int u_level;       // of the nodes
 uniform float u_rayExtent_m;
+uniform uint u_firstCaster;
 #ifdef FROM_ROOTS
 uniform uint u_casters;
 #endif
@@ -23,6 +24,8 @@ void lookInto(uint caster, ivec2 node) {
     for (int k = 0; k < plane.length(); ++k) plane[k] = texelFetch(t_volumes, volumeTexel(caster, k), 0);
     bool sure = texelFetch(t_volumes, volumeTexel(caster, PLANES), 0).x != 0.0;
     float margin_m = marginOf(u_rayExtent_m);
+    // No triangle shades itself: points that all lie on it are none of its business.
+    float own = float(u_firstCaster + caster);
     uvec2 inside = uvec2(0u), cut = uvec2(0u);
 #ifdef COUNT
     count(COUNT_NODES, uint(bitCount(open.x) + bitCount(open.y)));
@@ -31,9 +34,9 @@ void lookInto(uint caster, ivec2 node) {
     while (isAny(open)) {
         uint index = takeFirst(open);
         ivec2 child = childAt(node, index);
-        vec3 lowest = texelFetch(t_boxes, ivec3(child, 0), 3 * (u_level - 2)).xyz;
+        vec4 lowest = texelFetch(t_boxes, ivec3(child, 0), 3 * (u_level - 2));
         vec3 highest = texelFetch(t_boxes, ivec3(child, 1), 3 * (u_level - 2)).xyz;
-        vec3 centre = 0.5 * (lowest + highest), halfSize = 0.5 * (highest - lowest);
+        vec3 centre = 0.5 * (lowest.xyz + highest), halfSize = 0.5 * (highest - lowest.xyz);
         // The least signed distances of the corners that lie farthest to the front and to the rear of each plane.
         float foremost_m = 3e38, rearmost_m = 3e38;
         for (int k = 0; k < plane.length(); ++k) {
@@ -43,7 +46,7 @@ void lookInto(uint caster, ivec2 node) {
         }
         bool isInside = WHOLE_NODES != 0 && sure && rearmost_m > margin_m;
         if (isInside) inside |= bitOf(index);
-        else if (foremost_m >= -margin_m) cut |= bitOf(index);
+        else if (foremost_m >= -margin_m && lowest.w != own) cut |= bitOf(index);
     }
 
     // Apart from the loop above: llvmpipe runs through all branches, and these take long.

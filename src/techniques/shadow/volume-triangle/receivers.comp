@@ -9,7 +9,7 @@
 layout(local_size_x = 64) in;
 
 layout(rgba32ui, binding = 0) writeonly uniform uimage2D i_receivers;   // bits of the position; place of the triangle
-layout(rgba32f, binding = 1) writeonly uniform image2DArray i_boxes;    // layers: lower, upper
+layout(rgba32f, binding = 1) writeonly uniform image2DArray i_boxes;    // layers: lower and triangle, upper
 
 shared uint s_asked[2];
 
@@ -25,6 +25,7 @@ void main() {
         RayOrigin o = rayOriginOfPixel(px, gbufferTriangle(px));
         if (o.isReal && reachesCentre(o.n_g, lightCentre(o.p_world))) {
             growBounds(o.p_world, o.p_world);
+            growTriangles(triangleFromPlace(o.slot));
             atomicOr(s_asked[lane >> 5], 1u << (lane & 31u));
             imageStore(i_receivers, px, uvec4(floatBitsToUint(o.p_world), o.slot));
         }
@@ -32,7 +33,7 @@ void main() {
     barrier();
 
     if (lane == 0u) {
-        imageStore(i_boxes, ivec3(tile, 0), vec4(lowerBound(), 0.0));
+        imageStore(i_boxes, ivec3(tile, 0), vec4(lowerBound(), oneTriangle()));
         imageStore(i_boxes, ivec3(tile, 1), vec4(upperBound(), 0.0));
         uint entry = entryOf(1, tile);
         for (uint word = 0u; word < 2u; ++word) {

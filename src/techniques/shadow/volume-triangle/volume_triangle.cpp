@@ -234,12 +234,13 @@ private:
 
         // The roots first, then level after level down to the tiles.
         int level = rootLevel(frame, casters.count);
-        const gl::Program& roots = queueProgram(frame, "descend.comp", casters, counting(frame, {{"FROM_ROOTS", "1"}}));
+        const gl::Program& roots =
+            queueProgram(frame, "descend.comp", casters, first, counting(frame, {{"FROM_ROOTS", "1"}}));
         roots.set("u_casters", count);
         roots.set("u_level", level);
         dispatch(frame, (count + 63) / 64, nodesOf(frame, level));
         if (--level > 1) {
-            const gl::Program& descend = queueProgram(frame, "descend.comp", casters, counting(frame));
+            const gl::Program& descend = queueProgram(frame, "descend.comp", casters, first, counting(frame));
             for (; level > 1; --level) {
                 descend.set("u_level", level);
                 dispatchQueue(frame, unsigned(level));
@@ -247,13 +248,11 @@ private:
         }
 
         // Their pixels, and the rays of pixels near a plane.
-        const gl::Program& pixels = queueProgram(frame, "pixels.comp", casters,
-                                                 counting(frame, tests ? Defines{{"SHOW_TESTS", "1"}} : Defines{}));
-        pixels.set("u_firstCaster", first);
+        queueProgram(frame, "pixels.comp", casters, first,
+                     counting(frame, tests ? Defines{{"SHOW_TESTS", "1"}} : Defines{}));
         if (tests) tests->bindImage(0, GL_READ_WRITE);
         dispatchQueue(frame, kTileQueue);
-        const gl::Program& exact = queueProgram(frame, "exact.comp", casters);
-        exact.set("u_firstCaster", first);
+        queueProgram(frame, "exact.comp", casters, first);
         dispatchQueue(frame, kExactQueue);
         gl::barrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         return fill();
@@ -275,11 +274,12 @@ private:
     }
 
     const gl::Program& queueProgram(FrameContext& frame, const char* name, const GpuCasters& casters,
-                                    Defines defines = {}) {
+                                    std::uint32_t first, Defines defines = {}) {
         const gl::Program& made = program(frame, name, std::move(defines));
         casters.triangles.bind(made);
         made.set("u_queueSize", m_queueSize);
         made.set("u_exactSize", m_exactSize);
+        made.set("u_firstCaster", first);
         return made;
     }
 
@@ -350,8 +350,9 @@ private:
 OMBRAGE_TECHNIQUE(
     shadow, volume_triangle, VolumeTriangle,
     {.title = "Shadow volumes, one per triangle",
-     .summary = "The shadow volume of every triangle, by itself, against a hierarchy of the points that are seen: exact "
-                "for any soup of triangles and for alpha-tested ones, with neither silhouettes nor stencil.",
+     .summary =
+         "The shadow volume of every triangle, by itself, against a hierarchy of the points that are seen: exact "
+         "for any soup of triangles and for alpha-tested ones, with neither silhouettes nor stencil.",
      .papers = {"sintorn2011triangle", "davidovic2012"},
      .limits = "Hard shadows only; the cost grows with the number of triangles times the nodes that the border of each "
                "one's shadow crosses.",
