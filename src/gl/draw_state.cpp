@@ -122,6 +122,12 @@ void dispatch(int groupsX, int groupsY, int groupsZ) {
     glDispatchCompute(GLuint(groupsX), GLuint(groupsY), GLuint(groupsZ));
 }
 
+void dispatchIndirect(const Buffer& groups, std::size_t offset) {
+    assert(offset % 4 == 0 && offset + 12 <= groups.size());
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, groups.id());
+    glDispatchComputeIndirect(GLintptr(offset));
+}
+
 void barrier(GLbitfield bits) {
     glMemoryBarrier(bits);
 }

@@ -218,6 +218,25 @@ void main() { values[gl_GlobalInvocationID.x] = gl_GlobalInvocationID.x * 3u; }
     for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(values[i], i * 3);
 }
 
+TEST_F(DrawStateTest, ABufferSaysHowManyGroups) {
+    ProgramDesc desc;
+    desc.stages = {{GL_COMPUTE_SHADER, "c"}};
+    desc.virtuals = {{"c", R"(
+layout(local_size_x = 1) in;
+layout(std430, binding = 3) buffer b_Out { uint value; };
+void main() { atomicAdd(value, 1u); }
+)"}};
+    m_library.program(desc).use();
+    const Buffer groups = Buffer::from(std::vector<std::uint32_t>{99, 2, 3, 4}, "groups");
+    const Buffer out(4, nullptr, "out");
+    out.bindStorage(3);
+    dispatchIndirect(groups, 4);
+    barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    std::uint32_t value = 0;
+    out.download(0, 4, &value);
+    EXPECT_EQ(value, 2u * 3u * 4u);
+}
+
 TEST_F(DrawStateTest, ImagesBindWithTheirFormat) {
     ProgramDesc desc;
     desc.stages = {{GL_COMPUTE_SHADER, "c"}};

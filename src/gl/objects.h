@@ -222,6 +222,8 @@ void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, s
                           std::size_t commandCount, GLenum mode = GL_TRIANGLES);
 void drawElements(const VertexArray& vertices, GLenum mode, std::size_t firstIndex, std::size_t count);
 void dispatch(int groupsX, int groupsY, int groupsZ);
+/// As many groups as three words of the buffer say, from a byte on that is a multiple of 4.
+void dispatchIndirect(const Buffer& groups, std::size_t offset);
 void barrier(GLbitfield bits);
 
 /// KHR_debug group for tools such as RenderDoc.

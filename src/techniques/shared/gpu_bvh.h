@@ -2,11 +2,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "gl/objects.h"
-#include "gl/shader_library.h"
-#include "render/gpu_scene.h"
+#include "techniques/shared/gpu_triangles.h"
 
 namespace ombrage {
 
@@ -23,18 +20,9 @@ public:
     std::uint64_t gpuBytes() const;
 
 private:
-    void packTriangles(const GpuScene& scene, const std::vector<std::uint32_t>& order);
-
     std::uint32_t m_nodeCount = 0;
-    float m_extent_m = 0;
-    gl::Buffer m_nodes, m_triangles, m_slots, m_alpha;
+    gl::Buffer m_nodes;
+    GpuTriangles m_triangles;
 };
-
-/// The per-instance flags of shared/gpu_bvh.glsl with EXCLUDES: 1 where the model is in the list.
-gl::Buffer excludedInstances(const GpuScene& scene, const std::vector<int>& excludedModels);
-/// The per-instance models of shared/gpu_bvh.glsl with SAME_MODEL.
-gl::Buffer instanceModels(const GpuScene& scene);
-/// Where either is bound.
-inline constexpr unsigned kExcludedStorage = 7;
 
 }  // namespace ombrage

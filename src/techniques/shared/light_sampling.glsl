@@ -35,6 +35,12 @@ LightSample lightCentre(vec3 p_world) {
     return s;
 }
 
+// Whether a hard light may shine on a surface: in range, inside of the cone, above the horizon.
+bool reachesCentre(vec3 n_g, LightSample centre) {
+    if (centre.distance_m > light.direction.w || dot(centre.direction, n_g) <= 0.0 || !centre.facing) return false;
+    return int(light.color.w) != LIGHT_SPOT || dot(-centre.direction, light.direction.xyz) >= light.cone.y;
+}
+
 LightSample sampleLight(vec3 p_world, vec2 u) {
     LightSample s;
     s.facing = true;

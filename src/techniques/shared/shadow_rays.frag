@@ -33,8 +33,8 @@ bool isSeen(RayOrigin o, LightSample s) {
 // Whether some part of the light may shine here: in range, inside of the cone, not below the horizon.
 bool isAsked(RayOrigin o, LightSample centre) {
     if (!o.isReal || centre.distance_m > light.direction.w) return false;
-    int type = int(light.color.w);
 #ifdef SOFT
+    int type = int(light.color.w);
     // No part is farther from the centre than this (a sun: at distance 1).
     float reach_m = type == LIGHT_RECT ? light.tangent.w + light.bitangent.w : light.cone.z;
     float height = dot(centre.direction, o.n_g) * (type == LIGHT_SUN ? 1.0 : centre.distance_m);
@@ -50,8 +50,7 @@ bool isAsked(RayOrigin o, LightSample centre) {
     }
     return true;
 #else
-    if (dot(centre.direction, o.n_g) <= 0.0 || !centre.facing) return false;
-    return type != LIGHT_SPOT || dot(-centre.direction, light.direction.xyz) >= light.cone.y;
+    return reachesCentre(o.n_g, centre);
 #endif
 }
 
