@@ -6,7 +6,7 @@
 
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/shadow/planar/blur_kernel.h"
+#include "techniques/shadow/planar/blur.h"
 #include "techniques/shadow/planar/planar_params.h"
 #include "techniques/shadow/planar/receiver_planes.h"
 
@@ -19,13 +19,10 @@ using namespace planar;
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
 constexpr unsigned kPlaneStorage = 3;
-constexpr unsigned kUnitMask = kFirstFreeUnit, kUnitCasterColor = kFirstFreeUnit + 1;
 /// What has no caster over it in the mask: no half float is smaller.
 constexpr float kNoHeight = -65504.0f;
 /// The mask's border outside of the picture, where blurs reach for what is not seen.
 constexpr float kBorderShare = 0.125f;
-/// A lamp's casters count up to this share of its height: from there on half-shadows are wider than anything.
-constexpr float kSearchShare = 0.95f;
 
 /// What a draw of the flattened casters is for.
 struct CasterDraw {
@@ -131,11 +128,10 @@ private:
                 define("SURFACE", isMasked || how.needsColor);
                 define("NO_LIGHT_CLIP", !p().clipLight && light.light->type != LightType::Sun);
                 define("NO_PLANE_CLIP", !p().clipPlane);
-                const gl::Program& program =
-                    frame.program(*this,
-                                  {{GL_VERTEX_SHADER, "shadow/planar/planar.vert"},
-                                   {GL_FRAGMENT_SHADER, "shadow/planar/planar.frag"}},
-                                  std::move(defines));
+                const gl::Program& program = frame.program(*this,
+                                                           {{GL_VERTEX_SHADER, "shadow/planar/planar.vert"},
+                                                            {GL_FRAGMENT_SHADER, "shadow/planar/planar.frag"}},
+                                                           std::move(defines));
                 program.set("u_plane", plane.plane);
                 program.set("u_toward", light.toward());
                 program.set("u_tolerance_m", tolerance_m);
@@ -242,35 +238,11 @@ private:
                 state.blendEquation = GL_MAX;
                 drawCasters(frame, light, plane, tolerance_m, state, how);
             }
-            const auto pass = frame.pass("planar blur");
-            seenTarget.bind();
             gl::DrawState state;
             limitTo(state, plane.id, GL_KEEP);
-            blurInto(frame, light, plane, how.zoom, *mask, casterColor.get(), state);
+            blurMask(frame, *this, p(), light, plane, {mask.get(), casterColor.get(), how.zoom}, seenTarget,
+                     m_colored != nullptr, state);
         }
-    }
-
-    void blurInto(FrameContext& frame, const LightFrame& light, const ActivePlane& plane, const glm::vec2& zoom,
-                  const gl::Texture& mask, const gl::Texture* casterColor, const gl::DrawState& state) {
-        Defines defines;
-        if (p().blur == Blur::Contact) defines.emplace_back("CONTACT", "1");
-        if (p().width_px > 0) defines.emplace_back("PIXELS", "1");
-        if (m_colored) defines.emplace_back("COLORED", "1");
-        const gl::Program& program = frame.fullscreenProgram(*this, "shadow/planar/blur.frag", std::move(defines));
-        const std::vector<glm::vec4> kernel = blurKernel(p().samples);
-        program.set("u_kernel", kernel.data(), p().samples);
-        program.set("u_plane", plane.plane);
-        program.set("u_toward", light.toward());
-        program.set("u_zoom", zoom);
-        program.set("u_radius", 0.5f * (p().width_px > 0 ? p().width_px : p().width_m));
-        const bool isSun = light.light->type == LightType::Sun;
-        program.set("u_search_m",
-                    isSun ? plane.highest_m : std::min(plane.highest_m, kSearchShare * plane.lightHeight));
-        frame.bindGBuffer();
-        mask.bind(kUnitMask);
-        if (casterColor) casterColor->bind(kUnitCasterColor);
-        gl::apply(state);
-        frame.drawFullscreen();
     }
 
     /// The stages on the way, for those who look at them.
@@ -309,12 +281,17 @@ private:
         if (frame.wants("planar-projected")) {
             // Every layer of every plane adds a sixth of white, wherever it falls.
             showCasters(frame, light, active, tolerance_m, "planar-projected", GL_FUNC_ADD, false,
-                        [](const ActivePlane&) { return CasterDraw{.defines = {{"FLAT", "1"}}, .cullsBackFaces = false, .grey = 1.0f / 6}; });
+                        [](const ActivePlane&) {
+                            return CasterDraw{.defines = {{"FLAT", "1"}}, .cullsBackFaces = false, .grey = 1.0f / 6};
+                        });
         }
         if (frame.wants("planar-heights"))
-            showCasters(frame, light, active, tolerance_m, "planar-heights", GL_MAX, true, [](const ActivePlane& plane) {
-                return CasterDraw{.defines = {{"FLAT", "1"}, {"HEIGHT", "1"}}, .cullsBackFaces = false, .grey = 1.0f / plane.highest_m};
-            });
+            showCasters(frame, light, active, tolerance_m, "planar-heights", GL_MAX, true,
+                        [](const ActivePlane& plane) {
+                            return CasterDraw{.defines = {{"FLAT", "1"}, {"HEIGHT", "1"}},
+                                              .cullsBackFaces = false,
+                                              .grey = 1.0f / plane.highest_m};
+                        });
     }
 
     template <typename HowOf>
@@ -351,10 +328,12 @@ OMBRAGE_TECHNIQUE(
          "Flat receivers only: whatever does not lie in one of the planes has no shadow, and every plane draws all "
          "casters again.",
      .domain = {.rect = false, .soft = true, .planarReceiversOnly = true},
-     .passes = {{"planar-planes", "plane that the visible surface lies in, a hue each; black: none that can show a shadow"},
+     .passes = {{"planar-planes",
+                 "plane that the visible surface lies in, a hue each; black: none that can show a shadow"},
                 {"planar-limit", "where the stencil lets shadows be drawn"},
                 {"planar-projected", "flattened casters of all planes before any limit, a sixth of white a layer"},
-                {"planar-heights", "height of the highest caster over its plane, as a share of what casters reach at most"},
+                {"planar-heights",
+                 "height of the highest caster over its plane, as a share of what casters reach at most"},
                 {"planar-passed", "light that passes, in colour"}},
      .needsStencil = true})
 

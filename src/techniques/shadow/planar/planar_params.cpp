@@ -36,8 +36,9 @@ ParamTable Params::describe() {
             .help("Distance from hatch to hatch of a hatched shadow; each is half as wide."),
         field(&P::blur, "blur")
             .effect(ParamEffect::Define)
-            .help("Of lights with a size: none, everywhere by one width, or as the light's size and the caster's height "
-                  "over the plane ask (contact). Lights of size 0 have hard shadows and no pass for a blur."),
+            .help(
+                "Of lights with a size: none, everywhere by one width, or as the light's size and the caster's height "
+                "over the plane ask (contact). Lights of size 0 have hard shadows and no pass for a blur."),
         field(&P::width_m, "width", Unit::Metre)
             .range(0, 10)
             .tune(0.02, 1)

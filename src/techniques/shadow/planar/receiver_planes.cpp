@@ -63,8 +63,8 @@ std::optional<ActivePlane> activated(const FrameContext& frame, const LightFrame
 
 }  // namespace
 
-std::vector<ActivePlane> activePlanes(const FrameContext& frame, const LightFrame& light, const ReceiverPlanes& receivers,
-                                      int count, const ClipRules& clip) {
+std::vector<ActivePlane> activePlanes(const FrameContext& frame, const LightFrame& light,
+                                      const ReceiverPlanes& receivers, int count, const ClipRules& clip) {
     std::vector<ActivePlane> active;
     for (int i = 0; i < std::min(count, int(receivers.planes.size())); ++i)
         if (auto plane = activated(frame, light, receivers.planes[std::size_t(i)], receivers.tolerance_m, clip)) {

@@ -28,10 +28,10 @@ ReceiverPlanes givenPlane(const FlatScene& flat, const glm::vec3& normal, float 
 
 /// A plane that shows shadows of a light.
 struct ActivePlane {
-    int id = 0;                ///< 1 + its place among the planes: its number in the stencil
-    glm::vec4 plane{0.0f};     ///< turned to the light: dot(xyz, p) + w is the height over it
-    float lightHeight = 0;     ///< dot(plane, towards the light): of a lamp in metres, of a sun a sine
-    float highest_m = 0;       ///< no caster rises higher
+    int id = 0;             ///< 1 + its place among the planes: its number in the stencil
+    glm::vec4 plane{0.0f};  ///< turned to the light: dot(xyz, p) + w is the height over it
+    float lightHeight = 0;  ///< dot(plane, towards the light): of a lamp in metres, of a sun a sine
+    float highest_m = 0;    ///< no caster rises higher
 };
 
 /// Which casters a plane without clipping has, too.
@@ -40,7 +40,7 @@ struct ClipRules {
 };
 
 /// Those of the first `count` planes that the light and the eye see from one side, with a caster that can shade them.
-std::vector<ActivePlane> activePlanes(const FrameContext& frame, const LightFrame& light, const ReceiverPlanes& receivers,
-                                      int count, const ClipRules& clip);
+std::vector<ActivePlane> activePlanes(const FrameContext& frame, const LightFrame& light,
+                                      const ReceiverPlanes& receivers, int count, const ClipRules& clip);
 
 }  // namespace ombrage::planar
