@@ -44,23 +44,19 @@ public:
         const int count = p().receivers == Source::Found ? p().planes : 1;
         const std::vector<ActivePlane> active = activePlanes(frame, light, receivers, count, clip);
         frame.counter("receiver planes", double(active.size()));
-        m_colored.reset();
-        if (active.empty()) return;
-
         const bool isColored = p().style != Style::Plain || frame.wants("planar-passed");
-        if (isColored) {
-            m_colored = takeTarget(frame, GL_RGBA16F, "planar passed light");
-            gl::Framebuffer({{m_colored.get()}}, {}, "planar passed light").clearColor(0, glm::vec4(1.0f));
-        }
-        markReceivers(frame, receivers, active.back().id);
+        m_colored = isColored ? takeTarget(frame, GL_RGBA16F, "planar passed light") : nullptr;
+        if (m_colored) gl::Framebuffer({{m_colored.get()}}, {}, "planar passed").clearColor(0, glm::vec4(1.0f));
+        if (!active.empty()) markReceivers(frame, receivers, active.back().id);
         showStages(frame, light, active, receivers.tolerance_m);
         // A blur spreads the whole shadow over its own surface: it has no use for the defects of single triangles.
-        if (p().blur != Blur::Off && light.light->hasSize() && p().limit && p().stencil)
+        const bool blurs = p().blur != Blur::Off && light.light->hasSize() && p().limit && p().stencil;
+        if (blurs)
             drawBlurred(frame, light, active, receivers.tolerance_m, visibility);
-        else
+        else if (!active.empty())
             drawSharp(frame, light, active, receivers.tolerance_m, visibility);
         if (frame.wants("planar-passed")) frame.expose("planar-passed", *m_colored, ShowAs::Color);
-        if (p().style == Style::Plain) m_colored.reset();
+        if (p().style == Style::Plain || active.empty()) m_colored.reset();
     }
 
     TargetPool::Target takeColored() override { return std::move(m_colored); }
@@ -209,6 +205,7 @@ private:
     /// then the mask, blurred, onto the receiver.
     void drawBlurred(FrameContext& frame, const LightFrame& light, const std::vector<ActivePlane>& active,
                      float tolerance_m, const gl::Texture& visibility) {
+        if (active.empty()) return;
         const int border = int(std::ceil(kBorderShare * float(frame.height)));
         const int width = frame.width + 2 * border, height = frame.height + 2 * border;
         const auto mask = frame.targets->take({.format = GL_RG16F, .width = width, .height = height}, "planar mask");

@@ -29,7 +29,7 @@ struct Params {
     Blur blur = Blur::Contact;
     float width_m = 0.2f;
     float width_px = 0;
-    int samples = 64;
+    int samples = 32;
     bool stencil = true;
     bool limit = true;
     bool clipLight = true;

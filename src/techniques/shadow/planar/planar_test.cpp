@@ -2,9 +2,12 @@
 // Known answers on a wall of 32 x 32 m in z = 0, seen straight on: a metre is a pixel. A lamp 4 m before it throws the
 // shadow of what is at height z to 4 / (4 - z) times its place.
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 #include <ombrage/error.h>
+#include <ombrage/metrics.h>
+#include <ombrage/reference.h>
 
 #include "techniques/flat_scene_picture.h"
 
@@ -29,23 +32,33 @@ void addCaster(Scene& scene, float near_m, float far_m) {
 
 class Wall {
 public:
-    explicit Wall(const Scene& scene, const std::string& technique = "shadow/planar") {
+    explicit Wall(const Scene& scene, const std::string& technique = "shadow/planar",
+                  Composite composite = Composite::Lighting) {
         RenderSettings settings = squareSettings(kSize);
         settings.shadow = parsePipeline(Family::Shadow, technique);
-        const RenderResult result = renderFlat(scene, settings);
-        const auto plane = result.visibility.begin()->second.plane(0);
-        m_visibility.assign(plane.begin(), plane.end());
+        settings.composite = composite;
+        m_result = renderFlat(scene, settings);
     }
     /// At the pixel that holds the point of the wall.
-    float at(float x, float y) const {
-        return m_visibility[std::size_t((16 - y) * 1.0f) * kSize + std::size_t(x + 16)];
+    float at(float x, float y) const { return m_result.visibility.begin()->second.plane(0)[pixel(x, y)]; }
+    glm::vec3 colorAt(float x, float y) const {
+        glm::vec3 color;
+        for (int c = 0; c < 3; ++c) color[c] = m_result.picture.plane(c)[pixel(x, y)];
+        return color;
     }
     int countBelow(float bound) const {
-        return int(std::count_if(m_visibility.begin(), m_visibility.end(), [&](float v) { return v < bound; }));
+        const auto plane = m_result.visibility.begin()->second.plane(0);
+        return int(std::count_if(plane.begin(), plane.end(), [&](float v) { return v < bound; }));
     }
+    bool ran(const std::string& pass) const {
+        return std::any_of(m_result.passes.begin(), m_result.passes.end(),
+                           [&](const PassCost& cost) { return cost.name == pass; });
+    }
+    const RenderResult& result() const { return m_result; }
 
 private:
-    std::vector<float> m_visibility;
+    static std::size_t pixel(float x, float y) { return std::size_t((16 - y) * 1.0f) * kSize + std::size_t(x + 16); }
+    RenderResult m_result;
 };
 
 TEST(ShadowPlanar, ALampsShadowIsTheProjection) {
@@ -122,6 +135,244 @@ TEST(ShadowPlanar, WhatLiesInThePlaneIsNoCaster) {
     Scene scene = wallAndLamp();
     addCaster(scene, 0, 0);
     EXPECT_EQ(Wall(scene).countBelow(0.5f), 0);
+}
+
+/// Lamp and casters behind the camera, so that they hide nothing of the wall: at half the lamp's height everything is
+/// thrown to twice its place, too.
+Scene wallAndFarLamp() {
+    Scene scene = wallAndLamp();
+    scene.lights[0].position = {0, 0, 40};
+    scene.lights[0].intensity = 1e4f;
+    return scene;
+}
+
+void addFarCaster(Scene& scene, float left, float right, float bottom, float top) {
+    addQuad(scene, {{left, bottom, 20}, {right, bottom, 20}, {right, top, 20}, {left, top, 20}}, 0.2f);
+}
+
+// One triangle after the other: where two quads lie over each other the light is halved twice, elsewhere once.
+TEST(ShadowPlanar, WithoutStencilShadowsOverEachOtherDarkenTwice) {
+    Scene scene = wallAndFarLamp();
+    addFarCaster(scene, 1, 3, -1, 1);
+    addFarCaster(scene, 2, 4, -1, 1);
+    const Wall once(scene, "shadow/planar:opacity=0.5"), twice(scene, "shadow/planar:opacity=0.5,stencil=false");
+    for (const float y : {-1.5f, 0.5f}) {
+        for (const float x : {2.5f, 4.5f, 6.5f}) EXPECT_EQ(once.at(x, y), 0.5f) << x;
+        EXPECT_EQ(twice.at(2.5f, y), 0.5f);
+        EXPECT_EQ(twice.at(4.5f, y), 0.25f);
+        EXPECT_EQ(twice.at(6.5f, y), 0.5f);
+    }
+    // 6 x 4 m in all, of which 2 x 4 are covered twice.
+    EXPECT_EQ(once.countBelow(0.6f), 24);
+    EXPECT_EQ(once.countBelow(0.4f), 0);
+    EXPECT_EQ(twice.countBelow(0.6f), 24);
+    EXPECT_EQ(twice.countBelow(0.4f), 8);
+}
+
+TEST(ShadowPlanar, WithoutLimitTheShadowReachesOverTheEdgeAndOnWhatLiesBehind) {
+    Scene scene = wallAndFarLamp();
+    scene.meshes[0].positions = {{-3, -3, 0}, {3, -3, 0}, {3, 3, 0}, {-3, 3, 0}};
+    addQuad(scene, {{0, -16, -2}, {4, -16, -2}, {4, 16, -2}, {0, 16, -2}}, 0.5f);
+    // Its shadow on z = 0: x from 2 to 6, y from -2 to 2, of which the wall holds x up to 3.
+    addFarCaster(scene, 1, 3, -1, 1);
+    for (Model& model : scene.models) model.receives = false;
+    scene.models[0].receives = true;
+    const Wall limited(scene), unlimited(scene, "shadow/planar:limit=false");
+    for (const float y : {-1.5f, 0.5f}) {
+        EXPECT_EQ(limited.at(2.5f, y), 0.0f);
+        // On the strip behind, and beyond it before nothing.
+        for (const float x : {3.5f, 5.5f}) {
+            EXPECT_EQ(limited.at(x, y), 1.0f) << x;
+            EXPECT_EQ(unlimited.at(x, y), 0.0f) << x;
+        }
+    }
+    EXPECT_EQ(limited.countBelow(0.5f), 4);
+    EXPECT_EQ(unlimited.countBelow(0.5f), 16);
+}
+
+// S = L + a (V - L) with a = 4 / (4 - 6): through the lamp, twice as large.
+TEST(ShadowPlanar, WithoutItsClipWhatIsBehindTheLightThrowsAnAntiShadow) {
+    Scene scene = wallAndLamp();
+    addCaster(scene, 6, 6);
+    const Wall wall(scene, "shadow/planar:clip-light=false");
+    EXPECT_EQ(wall.countBelow(0.5f), 8);
+    for (const float x : {-3.5f, -2.5f})
+        for (const float y : {-1.5f, 1.5f}) EXPECT_EQ(wall.at(x, y), 0.0f) << x << " " << y;
+    // A sun has nothing behind it.
+    scene.lights[0].type = LightType::Sun;
+    scene.lights[0].direction = {0, 0, -1};
+    EXPECT_EQ(Wall(scene, "shadow/planar:clip-light=false").countBelow(0.5f), Wall(scene).countBelow(0.5f));
+}
+
+// a = 4 / (4 + 1): from x = 0.8 to 1.6, y from -0.8 to 0.8, in which two pixels have their middle.
+TEST(ShadowPlanar, WithoutItsClipWhatIsUnderThePlaneShadesIt) {
+    Scene scene = wallAndLamp();
+    addCaster(scene, -1, -1);
+    EXPECT_EQ(Wall(scene).countBelow(0.5f), 0);
+    const Wall wall(scene, "shadow/planar:clip-plane=false");
+    EXPECT_EQ(wall.countBelow(0.5f), 2);
+    EXPECT_EQ(wall.at(1.5f, 0.5f), 0.0f);
+    // What lies in the plane, as the wall itself, throws none even so.
+    EXPECT_EQ(Wall(wallAndLamp(), "shadow/planar:clip-plane=false").countBelow(0.5f), 0);
+}
+
+/// The wall in white under the lamp, with a caster of one colour; the share of the light that its shadow leaves.
+glm::vec3 shareInShadow(const std::string& technique, Composite composite = Composite::Lighting) {
+    Scene scene = wallAndLamp();
+    scene.materials[0].baseColor = glm::vec3(1);
+    scene.materials[0].emissive = glm::vec3(0);
+    addCaster(scene, 2, 2);
+    scene.materials[1].baseColor = {0.25f, 0.5f, 1};
+    const Wall shadowed(scene, technique, composite), open(scene, "shadow/none");
+    // The pixel's own light, so that its distance and its angle cancel out.
+    return shadowed.colorAt(2.5f, 0.5f) / open.colorAt(2.5f, 0.5f);
+}
+
+TEST(ShadowPlanar, ATintColoursTheLightThatPasses) {
+    const auto expectNear = [](const glm::vec3& a, const glm::vec3& b) {
+        // Half floats hold 11 bits, the G-buffer's albedo 10.
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(a[c], b[c], 0.004f) << c;
+    };
+    expectNear(shareInShadow("shadow/planar"), glm::vec3(0));
+    expectNear(shareInShadow("shadow/planar:opacity=0.75"), glm::vec3(0.25f));
+    const glm::vec3 tint(0.5f, 0, 1);
+    const std::string tinted = "shadow/planar:style=tinted,tint=(0.5;0;1)";
+    expectNear(shareInShadow(tinted), tint);
+    expectNear(shareInShadow(tinted + ",opacity=0.5"), 0.5f + 0.5f * tint);
+    expectNear(shareInShadow(tinted, Composite::Modulate), tint);
+    expectNear(shareInShadow("shadow/planar:style=textured"), {0.25f, 0.5f, 1});
+    // A filter after it knows one channel.
+    expectNear(shareInShadow(tinted + "+filter/none"), glm::vec3(0.5f * 0.2126f + 0.0722f));
+}
+
+TEST(ShadowPlanar, WhatPassesIsMeasuredByItsLuminance) {
+    Scene scene = wallAndLamp();
+    addCaster(scene, 2, 2);
+    const Wall tinted(scene, "shadow/planar:style=tinted,tint=(0.5;0;1)");
+    EXPECT_NEAR(tinted.at(2.5f, 0.5f), 0.5f * 0.2126f + 0.0722f, 0.001f);
+    EXPECT_EQ(tinted.at(5.5f, 0.5f), 1.0f);
+    EXPECT_EQ(tinted.countBelow(0.9f), 8);
+}
+
+TEST(ShadowPlanar, HatchesAreStripesOfTheirWidth) {
+    Scene scene = wallAndFarLamp();
+    addFarCaster(scene, -7, 7, -7, 7);
+    // Diagonal, 8 sqrt(2) m apart: along a row 16 pixels from hatch to hatch, 8 of them dark.
+    const Wall wall(scene, "shadow/planar:style=hatched,hatch=11.3137085");
+    for (const float y : {-5.5f, 0.5f, 5.5f}) {
+        int dark = 0, turns = 0;
+        for (float x = -13.5f; x < 2; ++x) {
+            dark += wall.at(x, y) < 0.5f ? 1 : 0;
+            turns += (wall.at(x, y) < 0.5f) != (wall.at(x + 1, y) < 0.5f) ? 1 : 0;
+        }
+        EXPECT_NEAR(dark, 8, 1) << y;
+        EXPECT_EQ(turns, 2) << y;
+    }
+    // Every hatch has its place on the plane: along the diagonal nothing changes.
+    const bool rises = wall.at(0.5f, 0.5f) == wall.at(1.5f, 1.5f) && wall.at(3.5f, 0.5f) == wall.at(4.5f, 1.5f);
+    const float down = rises ? 1.0f : -1.0f;
+    for (float d = 1; d < 8; ++d) EXPECT_EQ(wall.at(0.5f + d, 0.5f + down * d), wall.at(0.5f, 0.5f)) << d;
+}
+
+/// A half plane x > 0.
+Scene edgeUnderALamp(float radius_m) {
+    Scene scene = wallAndFarLamp();
+    scene.lights[0].radius_m = radius_m;
+    addFarCaster(scene, 0, 40, -40, 40);
+    return scene;
+}
+
+/// Share of a disk of radius 1 on the side x < t of a chord.
+float diskBefore(float t) {
+    t = std::clamp(t, -1.0f, 1.0f);
+    return 1 - (std::acos(t) - t * std::sqrt(1 - t * t)) / 3.14159265f;
+}
+
+TEST(ShadowPlanar, APointLightRunsNoBlur) {
+    const Scene hard = edgeUnderALamp(0), soft = edgeUnderALamp(4);
+    for (const char* blur : {"contact", "constant"}) {
+        const std::string technique = "shadow/planar:blur=" + std::string(blur);
+        EXPECT_FALSE(Wall(hard, technique).ran("planar blur"));
+        EXPECT_TRUE(Wall(soft, technique).ran("planar blur"));
+    }
+    const Wall off(soft, "shadow/planar:blur=off");
+    EXPECT_FALSE(off.ran("planar blur"));
+    EXPECT_EQ(off.result().visibility, Wall(hard).result().visibility);
+}
+
+// Halfway up, the light's image on the wall is as large as the light: the edge covers a disk of radius r about each
+// point.
+TEST(ShadowPlanar, AnEdgesPenumbraIsTheShareOfTheLight) {
+    for (const float radius_m : {4.0f, 8.0f}) {
+        const Wall wall(edgeUnderALamp(radius_m), "shadow/planar:samples=128");
+        for (float x = -15.5f; x < 16; ++x)
+            // 1 / 128 for the sum, a pixel in 2 r for the mask's edge, and the rest because the light's disk faces the
+            // point.
+            EXPECT_NEAR(wall.at(x, 0.5f), diskBefore(-x / radius_m), 0.03f) << x << " of " << radius_m;
+    }
+}
+
+TEST(ShadowPlanar, AConstantBlurHasItsWidthWhateverTheLight) {
+    for (const float radius_m : {1.0f, 4.0f})
+        for (const char* width : {"width=10", "width-px=10"}) {
+            const Wall wall(edgeUnderALamp(radius_m), "shadow/planar:blur=constant,samples=128," + std::string(width));
+            for (float x = -15.5f; x < 16; ++x) EXPECT_NEAR(wall.at(x, 0.5f), diskBefore(-x / 5), 0.03f) << x;
+        }
+}
+
+TEST(ShadowPlanar, PenumbraeGrowWithTheHeightOfTheCaster) {
+    Scene scene = edgeUnderALamp(6);
+    // A blade that leans from the wall's lower border to 20 m over its upper one.
+    scene.meshes[1].positions = {{0, -16, 0.1f}, {40, -16, 0.1f}, {40, 16, 20}, {0, 16, 20}};
+    // Its lower half is before the camera: the half of the penumbra that it does not hide.
+    const auto width = [](const Wall& wall, float y) {
+        int partial = 0;
+        for (float x = -15.5f; x < 0; ++x) partial += wall.at(x, y) > 0.05f && wall.at(x, y) < 0.95f ? 1 : 0;
+        return partial;
+    };
+    const Wall contact(scene), constant(scene, "shadow/planar:blur=constant,width=8");
+    // 6 k(h) with k(h) = h / (40 - h): h is 1.3 m in the row at -14.5, and 13.5 m in that at 8.5.
+    EXPECT_LE(width(contact, -14.5f), 1);
+    EXPECT_NEAR(width(contact, 8.5f), 3, 1);
+    EXPECT_NEAR(width(constant, -14.5f), width(constant, 8.5f), 1);
+}
+
+/// The scene of a pole, a thicker one and rungs, whose sun has a size; they receive nothing, so that the floor alone is
+/// measured.
+Metrics measuredRamp(const std::string& technique, const std::string& camera) {
+    Scene scene = loadScene("penumbra-ramp");
+    scene.lights[0].angle_rad = 0.06f;
+    for (Model& model : scene.models) model.receives = model.name == "floor";
+    RenderSettings settings;
+    settings.width = 320;
+    settings.height = 180;
+    settings.camera = camera;
+    settings.shadow = parsePipeline(Family::Shadow, technique);
+    const RenderResult result = renderFlat(scene, settings);
+
+    const Reference reference(scene);
+    ReferenceOptions options;
+    options.width = settings.width;
+    options.height = settings.height;
+    options.samplesPerPixel = 256;
+    const Camera& eye = scene.cameras[std::size_t(scene.cameraIndex(camera))];
+    const Receivers receivers = reference.receivers(eye, options);
+    ShadowTruth truth = reference.shadow(receivers, eye, 0, options);
+    maskDisagreement(truth.mask, truth.maskedShare, receivers, result.instance, result.triangle);
+    return measureShadow(result.visibility.at(0).plane(0), truth, receivers, {}).metrics;
+}
+
+TEST(ShadowPlanar, BlurComesNearerToTheTruthAndNearestByContact) {
+    for (const char* camera : {"main", "left", "top"}) {
+        const double off = *measuredRamp("shadow/planar:blur=off", camera).at("hard_ratio");
+        const double constant = *measuredRamp("shadow/planar:blur=constant,width=0.04", camera).at("hard_ratio");
+        const double contact = *measuredRamp("shadow/planar", camera).at("hard_ratio");
+        // Without a blur it is the plain hard shadow but for the rounding at edges.
+        EXPECT_NEAR(off, 1, 0.05) << camera;
+        EXPECT_LT(constant, 0.85) << camera;
+        // Measured 0.13 to 0.18.
+        EXPECT_LT(contact, 0.25) << camera;
+    }
 }
 
 }  // namespace
