@@ -274,6 +274,33 @@ TEST(ShadowPlanar, HatchesAreStripesOfTheirWidth) {
     for (float d = 1; d < 8; ++d) EXPECT_EQ(wall.at(0.5f + d, 0.5f + down * d), wall.at(0.5f, 0.5f)) << d;
 }
 
+TEST(ShadowPlanar, StagesShowWhatTheyName) {
+    Scene scene = wallAndFarLamp();
+    scene.meshes[0].positions = {{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}};
+    addFarCaster(scene, 1, 3, -1, 1);
+    // Half as high: its shadow, 4/3 as large, goes from -4 to -1.33.
+    addQuad(scene, {{-3, -3, 10.5f}, {-1, -3, 10.5f}, {-1, 3, 10.5f}, {-3, 3, 10.5f}}, 0.2f);
+    for (Model& model : scene.models) model.receives = false;
+    scene.models[0].receives = true;
+    RenderSettings settings = squareSettings(kSize);
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/planar:opacity=0.75");
+    settings.show = {"planar-limit", "planar-projected", "planar-heights", "planar-passed"};
+    const RenderResult result = renderFlat(scene, settings);
+    const auto at = [&](const char* name, float x, float y) {
+        return result.shownRaw.at(name).plane(0)[std::size_t(16 - y) * kSize + std::size_t(x + 16)];
+    };
+    EXPECT_EQ(at("planar-limit", 3.5f, 3.5f), 1.0f);
+    EXPECT_EQ(at("planar-limit", 4.5f, 3.5f), 0.0f);
+    // Two triangles, and where nothing limits them beyond the wall's edge, too.
+    for (const float x : {2.5f, 5.5f}) EXPECT_NEAR(at("planar-projected", x, 0.5f), 1.0f / 6, 0.001f) << x;
+    EXPECT_EQ(at("planar-projected", 0.5f, 0.5f), 0.0f);
+    EXPECT_NEAR(at("planar-heights", 2.5f, 0.5f), 1.0f, 0.001f);
+    EXPECT_NEAR(at("planar-heights", -2.5f, 0.5f), 0.525f, 0.001f);
+    EXPECT_EQ(at("planar-heights", 0.5f, 0.5f), 0.0f);
+    EXPECT_NEAR(at("planar-passed", 2.5f, 0.5f), 0.25f, 0.001f);
+    EXPECT_EQ(at("planar-passed", 0.5f, 0.5f), 1.0f);
+}
+
 /// A half plane x > 0.
 Scene edgeUnderALamp(float radius_m) {
     Scene scene = wallAndFarLamp();

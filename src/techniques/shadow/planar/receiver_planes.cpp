@@ -52,7 +52,7 @@ std::optional<ActivePlane> activated(const FrameContext& frame, const LightFrame
     const glm::vec3 lower = frame.gpuScene->casterLower(), upper = frame.gpuScene->casterUpper();
     float lowest_m = active.highest_m = active.plane.w;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto [low, high] = std::minmax(active.plane[axis] * lower[axis], active.plane[axis] * upper[axis]);
+        const auto [low, high] = std::minmax({active.plane[axis] * lower[axis], active.plane[axis] * upper[axis]});
         lowest_m += low;
         active.highest_m += high;
     }
