@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Planes of any orientation, that meet and cross, against rays.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "techniques/shadow/planar/wall_fixture.h"
@@ -102,6 +104,19 @@ TEST(ShadowPlanar, FollowsLightsCastersAndReceiversThatMove) {
         EXPECT_GT(agreement.shaded, 900);
         EXPECT_LE(agreement.differing, agreement.asked / 1000);
     }
+    // The floors come up to a plane that is given.
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/planar:receivers=given,offset=0.25");
+    const auto shadedOn = [&](const Scene& scene) {
+        renderer.moveScene(scene);
+        const RenderResult result = renderer.render(settings);
+        const auto plane = result.visibility.at(0).plane(0);
+        return std::count(plane.begin(), plane.end(), 0.0f);
+    };
+    Scene raised = start;
+    for (std::size_t i = 0; i < 2; ++i) raised.instances[i].worldFromLocal[3] = {0, 0.25, 0, 1};
+    EXPECT_EQ(shadedOn(start), 0);
+    EXPECT_GT(shadedOn(raised), 300);
+    EXPECT_EQ(shadedOn(start), 0);
 }
 
 }  // namespace
