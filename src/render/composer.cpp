@@ -75,7 +75,7 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
                 bindLight(lit->light, frame.gpuScene->flat().instances.size());
                 defines.emplace_back("LIGHT_TYPE", std::to_string(int(lit->light.light->type)));
                 define("VISIBILITY", lit->visibility && !naive);
-                define("COLORED", lit->colored != nullptr);
+                define("COLORED", lit->colored && !naive);
                 if (lit->visibility) (lit->colored ? lit->colored : lit->visibility)->bind(kUnitVisibility);
             }
             const std::vector<gl::ShaderStage> stages = {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
@@ -133,8 +133,9 @@ TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSetti
     const gl::Framebuffer target({{color.get()}}, {}, "naive composite");
     target.bind();
     gl::apply({});
-    frame.program(stages, isColored ? std::vector<std::pair<std::string, std::string>>{{"COMPOSITE", mode}, {"COLORED", "1"}}
-                                    : std::vector<std::pair<std::string, std::string>>{{"COMPOSITE", mode}});
+    std::vector<std::pair<std::string, std::string>> defines{{"COMPOSITE", mode}};
+    if (isColored) defines.emplace_back("COLORED", "1");
+    frame.program(stages, std::move(defines));
     unshadowed->bind(6);
     factor->bind(7);
     frame.drawFullscreen();
