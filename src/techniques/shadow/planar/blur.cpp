@@ -57,7 +57,9 @@ void blurMask(FrameContext& frame, Technique& technique, const Params& params, c
         gl::apply({});
         const gl::Framebuffer tileTarget({{tiles.get()}}, {}, "planar tiles");
         tileTarget.bind();
-        frame.fullscreenProgram(technique, "shadow/planar/tiles.frag").set("u_tile_px", tile_px);
+        const gl::Program& program = frame.fullscreenProgram(technique, "shadow/planar/tiles.frag");
+        program.set("u_tile_px", tile_px);
+        program.set("u_tallest_m", plane.highest_m);
         frame.drawFullscreen();
         const gl::Framebuffer reachTarget({{reach.get()}}, {}, "planar reach");
         reachTarget.bind();
@@ -74,6 +76,7 @@ void blurMask(FrameContext& frame, Technique& technique, const Params& params, c
     if (isColored) defines.emplace_back("COLORED", "1");
     const gl::Program& program = frame.fullscreenProgram(technique, "shadow/planar/blur.frag", std::move(defines));
     setCommon(program);
+    program.set("u_tallest_m", plane.highest_m);
     const std::vector<glm::vec4> kernel = blurKernel(params.samples);
     program.set("u_kernel", kernel.data(), params.samples);
     gl::apply(state);

@@ -12,7 +12,9 @@ namespace ombrage::planar {
 
 /// The casters of one plane, flattened, with a border around the picture.
 struct CasterMask {
-    const gl::Texture* mask = nullptr;         ///< RG16F: 1 where covered; less the height of the lowest caster
+    /// RG16F with mipmaps, 0 where nothing covers it: 1, and 1 less the height of the lowest caster as a share of
+    /// ActivePlane::highest_m.
+    const gl::Texture* mask = nullptr;
     const gl::Texture* casterColor = nullptr;  ///< of the caster's surface, for textured shadows
     glm::vec2 zoom{1.0f};                      ///< the picture's share of it
 };

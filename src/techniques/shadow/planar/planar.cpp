@@ -19,8 +19,6 @@ using namespace planar;
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
 constexpr unsigned kPlaneStorage = 3;
-/// What has no caster over it in the mask: no half float is smaller.
-constexpr float kNoHeight = -65504.0f;
 /// The mask's border outside of the picture, where blurs reach for what is not seen.
 constexpr float kBorderShare = 0.125f;
 
@@ -208,8 +206,13 @@ private:
         if (active.empty()) return;
         const int border = int(std::ceil(kBorderShare * float(frame.height)));
         const int width = frame.width + 2 * border, height = frame.height + 2 * border;
-        const auto mask = frame.targets->take({.format = GL_RG16F, .width = width, .height = height}, "planar mask");
-        mask->setFilter(GL_LINEAR, GL_LINEAR);
+        const auto take = [&](GLenum format) {
+            auto target =
+                frame.targets->take({.format = format, .width = width, .height = height, .levels = 0}, "planar mask");
+            target->setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+            return target;
+        };
+        const auto mask = take(GL_RG16F);
         std::vector<gl::Attachment> maskColors{{mask.get()}}, seenColors{{&visibility}};
         CasterDraw how{.defines = {{"MASK", "1"}, {"HEIGHT", "1"}}};
         how.cullsBackFaces = false;
@@ -217,7 +220,7 @@ private:
         how.zoom = glm::vec2(frame.width, frame.height) / glm::vec2(width, height);
         TargetPool::Target casterColor;
         if (how.needsColor) {
-            casterColor = frame.targets->take({.format = GL_RGBA8, .width = width, .height = height}, "planar casters");
+            casterColor = take(GL_RGBA8);
             maskColors.push_back({casterColor.get()});
             how.defines.emplace_back("COLORED", "1");
         }
@@ -228,12 +231,15 @@ private:
             {
                 const auto pass = frame.pass("planar mask");
                 maskTarget.bind();
-                maskTarget.clearColor(0, glm::vec4(0, kNoHeight, 0, 0));
+                maskTarget.clearColor(0, glm::vec4(0.0f));
                 if (casterColor) maskTarget.clearColor(1, glm::vec4(0.0f));
+                how.grey = 1 / plane.highest_m;
                 gl::DrawState state;
                 state.blend = true;
                 state.blendEquation = GL_MAX;
                 drawCasters(frame, light, plane, tolerance_m, state, how);
+                mask->generateMipmap();
+                if (casterColor) casterColor->generateMipmap();
             }
             gl::DrawState state;
             limitTo(state, plane.id, GL_KEEP);

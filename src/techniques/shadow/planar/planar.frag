@@ -28,16 +28,14 @@ uniform vec4 u_plane;
 #endif
 
 #ifdef MASK
-layout(location = 0) out vec2 o_mask;   // 1, and less the lower the nearest caster: blending keeps the largest
+layout(location = 0) out vec2 o_mask;   // 1, and more the lower the caster: blending keeps the largest
 #else
 layout(location = 0) out float o_visibility;
 #endif
 #ifdef COLORED
 layout(location = 1) out vec4 o_colored;
 #endif
-#ifdef FLAT
 uniform float u_grey;   // per metre with HEIGHT
-#endif
 
 void main() {
 #ifdef ALPHA_MASK
@@ -58,7 +56,7 @@ void main() {
     n = u_plane.xyz;
 #endif
 #if defined(MASK)
-    o_mask = vec2(1.0, -v_height_m);
+    o_mask = vec2(1.0, 1.0 - v_height_m * u_grey);
 #ifdef COLORED
     o_colored = vec4(caster, 1.0);
 #endif

@@ -3,6 +3,7 @@
 layout(binding = 5) uniform sampler2D t_mask;
 
 uniform int u_tile_px;
+uniform float u_tallest_m;   // height of which the mask holds shares
 
 layout(location = 0) out vec2 o_tile;
 
@@ -13,6 +14,7 @@ void main() {
     for (int y = first.y; y < last.y; ++y)
         for (int x = first.x; x < last.x; ++x) {
             vec2 texel = texelFetch(t_mask, ivec2(x, y), 0).xy;
-            o_tile = texel.x > 0.0 ? vec2(max(o_tile.x, -texel.y), o_tile.y) : vec2(o_tile.x, 0.0);
+            if (texel.x > 0.0) o_tile.x = max(o_tile.x, (1.0 - texel.y) * u_tallest_m);
+            else o_tile.y = 0.0;
         }
 }
