@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/composer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ombrage {
@@ -74,7 +75,8 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
                 bindLight(lit->light, frame.gpuScene->flat().instances.size());
                 defines.emplace_back("LIGHT_TYPE", std::to_string(int(lit->light.light->type)));
                 define("VISIBILITY", lit->visibility && !naive);
-                if (lit->visibility) lit->visibility->bind(kUnitVisibility);
+                define("COLORED", lit->colored && !naive);
+                if (lit->visibility) (lit->colored ? lit->colored : lit->visibility)->bind(kUnitVisibility);
             }
             const std::vector<gl::ShaderStage> stages = {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
                                                          {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}};
@@ -96,7 +98,10 @@ TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& 
 TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSettings& settings,
                                           const std::vector<LitLight>& lights, const TargetPool::Target& unshadowed) {
     const auto pass = frame.pass("naive composite");
-    const gl::TextureDesc half{.format = GL_R16F, .width = frame.width, .height = frame.height};
+    const bool isColored =
+        std::any_of(lights.begin(), lights.end(), [](const LitLight& light) { return light.colored != nullptr; });
+    const gl::TextureDesc half{
+        .format = GLenum(isColored ? GL_RGBA16F : GL_R16F), .width = frame.width, .height = frame.height};
     const auto factor = frame.targets->take(half, "shadow factor");
     const bool modulate = settings.composite == Composite::Modulate;
     const std::string mode = std::to_string(int(settings.composite));
@@ -113,11 +118,13 @@ TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSetti
         state.blendSource = modulate ? GL_ZERO : GL_ONE;
         state.blendDestination = modulate ? GL_SRC_COLOR : GL_ONE;
         gl::apply(state);
-        const gl::Program& program = frame.program(stages, {{"ACCUMULATE", "1"}, {"COMPOSITE", mode}});
-        program.set("u_scale", float(settings.overlayOpacity) / float(lights.size()));
         for (const LitLight& light : lights) {
             if (!light.visibility) continue;
-            light.visibility->bind(5);
+            std::vector<std::pair<std::string, std::string>> defines{{"ACCUMULATE", "1"}, {"COMPOSITE", mode}};
+            if (light.colored) defines.emplace_back("COLORED", "1");
+            const gl::Program& program = frame.program(stages, std::move(defines));
+            program.set("u_scale", float(settings.overlayOpacity) / float(lights.size()));
+            (light.colored ? light.colored : light.visibility)->bind(kUnitVisibility);
             frame.drawFullscreen();
         }
     }
@@ -125,7 +132,9 @@ TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSetti
     const gl::Framebuffer target({{color.get()}}, {}, "naive composite");
     target.bind();
     gl::apply({});
-    frame.program(stages, {{"COMPOSITE", mode}});
+    std::vector<std::pair<std::string, std::string>> defines{{"COMPOSITE", mode}};
+    if (isColored) defines.emplace_back("COLORED", "1");
+    frame.program(stages, std::move(defines));
     unshadowed->bind(6);
     factor->bind(7);
     frame.drawFullscreen();

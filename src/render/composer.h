@@ -17,6 +17,7 @@ struct LitLight {
     TargetPool::Target visibility;   ///< none: 1 everywhere, unless there is a lookup
     ShadowLookupTechnique* technique = nullptr;  ///< whose lookup it is
     std::optional<ShadowLookup> lookup = {};
+    TargetPool::Target colored = {};  ///< visibility in red, green and blue, to be taken in its place; may be none
 };
 
 /// Lights the G-buffer, once, after every technique: the one place where visibility, occlusion, indirect light and

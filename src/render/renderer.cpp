@@ -278,17 +278,24 @@ LitLight Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings&
         target.clearColor(0, glm::vec4(1.0f));
     }
     composer.bindLight(light, gpuScene->flat().instances.size());
+    TargetPool::Target colored;
     for (const auto& technique : slots.get(place, settings.shadow, frame)) {
+        if (colored)
+            frame.warn(fmt::format("{} does not keep the colours of the shadow before it", technique->entry().id()));
+        colored = nullptr;
         if (technique->entry().family == Family::Shadow) {
             auto& shadow = static_cast<ShadowTechnique&>(*technique);
             shadow.render(frame, light, *visibility);
+            colored = shadow.takeColored();
             noteShadow(light, shadow);
         } else {
             visibility = applyFilter(frame, *technique, visibility);
         }
     }
     countBytes();
-    return {light, visibility};
+    LitLight lit{light, visibility};
+    lit.colored = colored;
+    return lit;
 }
 
 TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline& pipeline) {

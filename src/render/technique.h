@@ -16,6 +16,7 @@
 #include "core/param_table.h"
 #include "gl/objects.h"
 #include "gl/shader_library.h"
+#include "render/target_pool.h"
 
 namespace ombrage {
 
@@ -64,6 +65,11 @@ public:
 
     /// Where the frame just rendered has data; the default covers everything.
     virtual ShadowRange range() const { return {}; }
+
+    /// The visibility just rendered in colour, RGBA16F, where shadows let some colours through and others not; null where
+    /// red, green and blue are all `visibility`, which else is its luminance. Lighting takes it in the place of
+    /// `visibility` when the technique ends its pipeline.
+    virtual TargetPool::Target takeColored() { return nullptr; }
 
     /// What follows "+" in a pipeline refines the visibility before it instead of starting from 1.
     virtual bool refinesInput() const { return false; }

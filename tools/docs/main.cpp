@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// usage: ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures]
+// usage: ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures [FAMILY/NAME]]
 // Writes the generated parts of the manual: OUTPUT_DIR/techniques, an index and one page per technique, made of its manual page and
-// its declaration; OUTPUT_DIR/scenes, the page of the built-in scenes; with --pictures also what the program renders for them.
+// its declaration; OUTPUT_DIR/scenes, the page of the built-in scenes; with --pictures also what the program renders for them,
+// the stages that techniques declare in NAME.pictures.json among it; those of one technique alone where it is named.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -14,6 +15,7 @@
 #include "core/strings.h"
 #include "render/technique.h"
 #include "scene_pages.h"
+#include "stage_pictures.h"
 
 namespace {
 
@@ -55,6 +57,7 @@ std::string domainOf(const TechniqueInfo& info) {
 /// The manual page, then all that the declaration says.
 std::string pageOf(const TechniqueInfo& info, const fs::path& source) {
     std::string text = readText(source / "src/techniques" / info.id / (info.name + ".md"));
+    docs::stagePictures(source, info, text);  // the text and the declared pictures agree
     text += "\n![" + info.title + "](images/" + fileName(info) + ".png)\n\n## Domain and parameters\n\n" + domainOf(info);
     const TechniqueEntry& entry = techniqueEntry(info.id);
     text += info.params.empty() ? "It has no parameters.\n" : entry.table().markdown();
@@ -107,7 +110,7 @@ void renderPicture(Renderer& renderer, const TechniqueInfo& info, const fs::path
 
 int main(int argc, char** argv) {
     try {
-        if (argc < 3) throw Error(ErrorCode::Usage, "too few arguments", "ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures]");
+        if (argc < 3) throw Error(ErrorCode::Usage, "too few arguments", "ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures [FAMILY/NAME]]");
         const fs::path source = argv[1], output = argv[2];
         const fs::path techniquePages = output / "techniques", scenePages = output / "scenes";
         for (const fs::path& folder : {techniquePages, scenePages}) fs::create_directories(folder / "images");
@@ -116,10 +119,17 @@ int main(int argc, char** argv) {
             writeText(techniquePages / (fileName(info) + ".md"), pageOf(info, source));
         writeText(scenePages / "README.md", docs::scenesPage(source));
         if (argc > 3 && std::string(argv[3]) == "--pictures") {
+            const std::string only = argc > 4 ? argv[4] : "";
+            if (!only.empty()) technique(only);  // or an error that suggests the nearest
             Renderer renderer;
-            for (const TechniqueInfo& info : techniques())
+            for (const TechniqueInfo& info : techniques()) {
+                if (!only.empty() && info.id != only) continue;
                 renderPicture(renderer, info, techniquePages / "images" / (fileName(info) + ".png"));
-            docs::renderScenePictures(source, scenePages / "images");
+                const std::string page = readText(source / "src/techniques" / info.id / (info.name + ".md"));
+                for (const docs::StagePicture& picture : docs::stagePictures(source, info, page))
+                    docs::renderStagePicture(renderer, picture, techniquePages / "images");
+            }
+            if (only.empty()) docs::renderScenePictures(source, scenePages / "images");
         }
         return 0;
     } catch (const Error& e) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Composes one light (LIGHT_TYPE; none without it) over the surfaces; the sky stays as it is.
 // FIRST_LIGHT's pass adds what no light owns: EMISSION of some material, AMBIENT light, dimmed by OCCLUSION, and INDIRECT light.
-// VISIBILITY: the light is shadowed by an image, LOOKUP: by what stands behind "ombrage/shadow_lookup". EXCEPTIONS: some instances exclude a light or receive no shadow.
+// VISIBILITY: the light is shadowed by an image (COLORED: of three colours), LOOKUP: by what stands behind "ombrage/shadow_lookup". EXCEPTIONS: some instances exclude a light or receive no shadow.
 // MATERIAL_PLANE: the surfaces reflect more than diffusely, by SHADING: 0 Phong, 1 Blinn-Phong, 2 metallic-roughness.
 #include "ombrage/frame.glsl"
 #include "ombrage/gbuffer.glsl"
@@ -65,15 +65,21 @@ void main() {
     // The geometric horizon shadows whatever the shading normal says, in the truth and here alike.
     vec3 n_g = geometricDirectionOf(surface);
     bool lit = nl > 0.0 && dot(n_g, l) > 0.0;
+#if defined(VISIBILITY) && defined(COLORED)
+    vec3 seen = texelFetch(t_visibility, px, 0).rgb;
+    const vec3 allSeen = vec3(1.0);
+#else
     float seen = 1.0;
-#if defined(VISIBILITY)
+    const float allSeen = 1.0;
+#endif
+#if defined(VISIBILITY) && !defined(COLORED)
     seen = texelFetch(t_visibility, px, 0).r;
 #elif defined(LOOKUP)
     seen = shadowVisibility(p_world, n_g);
 #endif
 #ifdef EXCEPTIONS
     if (lightExcludes(instance)) lit = false;
-    if ((b_instances[instance].flags & INSTANCE_UNSHADOWED) != 0u) seen = 1.0;
+    if ((b_instances[instance].flags & INSTANCE_UNSHADOWED) != 0u) seen = allSeen;
 #endif
     if (lit) {
         vec3 irradiance = irradianceFacing(l, distance_m) * (nl * seen);

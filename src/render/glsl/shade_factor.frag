@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The naive ways of composing. ACCUMULATE: adds or multiplies one light's share of shadow; else: applies the factor.
+// The naive ways of composing. ACCUMULATE: adds or multiplies one light's share of shadow; else: applies the factor. COLORED: what is
+// read has red, green and blue.
 #include "ombrage/gbuffer.glsl"
 
 layout(binding = 5) uniform sampler2D t_visibility;
 layout(binding = 6) uniform sampler2D t_color;
 layout(binding = 7) uniform sampler2D t_factor;
+
+#ifdef COLORED
+#define CHANNELS rgb
+#else
+#define CHANNELS rrr
+#endif
 
 uniform float u_scale;   // overlay: opacity / number of lights
 
@@ -14,19 +21,19 @@ void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
     bool sky = gbufferDepth(px) == 0.0;
 #if defined(ACCUMULATE)
-    float seen = sky ? 1.0 : texelFetch(t_visibility, px, 0).r;
+    vec3 seen = sky ? vec3(1.0) : texelFetch(t_visibility, px, 0).CHANNELS;
 #if COMPOSITE == 1
-    o_color = vec4(seen);
+    o_color = vec4(seen, 1.0);
 #else
-    o_color = vec4((1.0 - seen) * u_scale);
+    o_color = vec4((1.0 - seen) * u_scale, 1.0);
 #endif
 #else
     vec3 color = texelFetch(t_color, px, 0).rgb;
-    float factor = texelFetch(t_factor, px, 0).r;
+    vec3 factor = texelFetch(t_factor, px, 0).CHANNELS;
 #if COMPOSITE == 1
     o_color = vec4(color * factor, 1.0);
 #else
-    o_color = vec4(color * max(1.0 - factor, 0.0), 1.0);
+    o_color = vec4(color * max(1.0 - factor, vec3(0.0)), 1.0);
 #endif
 #endif
 }
