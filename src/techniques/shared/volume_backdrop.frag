@@ -5,9 +5,8 @@
 
 layout(location = 0) out vec4 o_color;
 
-in vec2 v_uv;
-in vec3 v_rayStart;
-in vec3 v_rayAlong;
+noperspective in vec3 v_rayStart;
+noperspective in vec3 v_rayAlong;
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);

@@ -18,13 +18,12 @@ layout(binding = 5) uniform sampler2DArray t_map;
 layout(location = 0) out float o_visibility;
 layout(location = 1) out float o_marked;
 
-in vec2 v_uv;
-in vec3 v_rayStart;
-in vec3 v_rayAlong;
+noperspective in vec3 v_rayStart;
+noperspective in vec3 v_rayAlong;
 
 // Distance along the view's axis from what the map holds; nothing is very far.
 float distanceFromMap(int view, float depth) {
-    float near_m = u_viewForward[view].w, far_m = u_viewOrigin[view].w;
+    float near_m = VIEW_FORWARD(view).w, far_m = VIEW_ORIGIN(view).w;
     if (depth <= 0.0) return 1e30;
     return LIGHT_PERSPECTIVE != 0 ? near_m / depth : far_m - depth * (far_m - near_m);
 }

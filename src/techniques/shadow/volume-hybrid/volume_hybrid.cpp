@@ -109,8 +109,10 @@ private:
         target.clearColor(1, glm::vec4(0));
         frame.bindGBuffer();
         m_map.bind(kFirstFreeUnit);
-        const gl::Program& program =
-            frame.fullscreenProgram(*this, "shadow/volume-hybrid/hybrid.frag", m_drawn->defines());
+        const gl::Program& program = frame.program(
+            *this,
+            {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shadow/volume-hybrid/hybrid.frag"}},
+            m_drawn->defines(), {{"ombrage/per_pass_lookup.glsl", LightViews::perPass()}});
         m_drawn->setUniforms(program);
         frame.drawSurfaces();
     }
