@@ -28,7 +28,9 @@ glm::vec4 LightFrame::toward() const {
     return light->type == LightType::Sun ? glm::vec4(-direction, 0.0f) : glm::vec4(position, 1.0f);
 }
 
-FrameContext::Pass::Pass(FrameContext& frame, const std::string& name) : m_frame(frame), m_group(name.c_str()) {
+FrameContext::Pass::Pass(FrameContext& frame, const std::string& name)
+    : m_frame(frame), m_group(name.c_str()), m_counts(!frame.recorder->uncounted) {
+    if (!m_counts) return;
     frame.recorder->passes.push_back({name});
     if (frame.recorder->timesPasses) frame.recorder->timer->begin(name);
     m_trace.emplace(name);
@@ -36,6 +38,7 @@ FrameContext::Pass::Pass(FrameContext& frame, const std::string& name) : m_frame
 }
 
 FrameContext::Pass::~Pass() {
+    if (!m_counts) return;
     m_trace.reset();
     m_frame.recorder->passes.back().bytes = gl::takeTraffic();
     if (m_frame.recorder->timesPasses) m_frame.recorder->timer->end();
@@ -59,7 +62,7 @@ void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
 }
 
 void FrameContext::counter(const std::string& name, double value) {
-    recorder->counters[name] += value;
+    if (!recorder->uncounted) recorder->counters[name] += value;
 }
 
 bool FrameContext::wants(const std::string& name) const {

@@ -86,6 +86,7 @@ public:
     private:
         FrameContext& m_frame;
         gl::DebugGroup m_group;
+        bool m_counts;
         std::optional<TraceScope> m_trace;  ///< the CPU's side: without the wall clock's waiting for the GPU
     };
     Pass pass(const std::string& name) { return Pass(*this, name); }
@@ -121,7 +122,8 @@ public:
     /// timed one by one, so that counting falls into no time.
     bool countsSavings() const;
 
-    /// While it lives, draws are left out of the record: they count, and are not part of the technique.
+    /// While it lives, passes, draws and counters are left out of the record: what is drawn counts what a technique does,
+    /// and is not part of it.
     class Uncounted {
     public:
         explicit Uncounted(FrameContext& frame);

@@ -21,7 +21,13 @@ VolumeCounter::VolumeCounter(FrameContext& frame, const LightFrame& light, const
       m_region(frame.view, light),
       m_target({}, {&frame.gbuffer->depth}, "shadow volumes") {}
 
+void VolumeCounter::addFragmentsTo(const gl::Texture& image) {
+    m_addsFragments = true;
+    m_target = gl::Framebuffer({{&image}}, {}, "volume fill");
+}
+
 void VolumeCounter::begin(int atTheEye) const {
+    if (m_addsFragments) return;
     m_target.bind();
     m_target.clearStencil(atTheEye & int(kAllBits & ~GLuint(m_maskBit)));
 }
@@ -46,16 +52,29 @@ gl::DrawState VolumeCounter::state() const {
     return state;
 }
 
-void VolumeCounter::draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen) const {
+void VolumeCounter::draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen,
+                         VolumeLook look) const {
+    if (m_addsFragments) {
+        const gl::DrawState& counting = state;
+        gl::DrawState adding;
+        adding.blend = true;
+        adding.depthClamp = counting.depthClamp;
+        adding.clipDistances = counting.clipDistances;
+        adding.scissor = counting.scissor;
+        look.fragmentPath = "shared/volume_one.frag";
+        gl::apply(adding);
+        m_volumes.draw(m_frame, m_light, first, last, chosen, look);
+        return;
+    }
     if (m_twoSided) {
         gl::apply(state);
-        m_volumes.draw(m_frame, m_light, first, last, chosen);
+        m_volumes.draw(m_frame, m_light, first, last, chosen, look);
         return;
     }
     for (const GLenum culled : {GL_BACK, GL_FRONT}) {
         state.cull = culled;
         gl::apply(state);
-        m_volumes.draw(m_frame, m_light, first, last, chosen);
+        m_volumes.draw(m_frame, m_light, first, last, chosen, look);
     }
 }
 
@@ -107,9 +126,8 @@ void VolumeCounter::nearPlane(const VolumeChoice& chosen) const {
     state.clipDistances = 2;
     state.stencilFront.depthPass = state.stencilBack.depthPass = GL_INCR_WRAP;
     m_target.bind();
-    gl::apply(state);
     for (const VolumePart part : {VolumePart::LightCaps, VolumePart::InwardLightCaps})
-        m_volumes.draw(m_frame, m_light, part, part, chosen, {.ontoNearPlane = true});
+        draw(state, part, part, chosen, {.ontoNearPlane = true});
 }
 
 void VolumeCounter::darken(const gl::Texture& visibility) const {

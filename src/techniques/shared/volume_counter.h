@@ -32,6 +32,9 @@ public:
     /// Visibility 0 where the count is not 0.
     void darken(const gl::Texture& visibility) const;
 
+    /// From now on every fragment of a volume adds 1 to an R32F image of the picture's size, and nothing else happens.
+    void addFragmentsTo(const gl::Texture& image);
+
     /// Only pixels whose stencil has the highest bit are counted, in the bits below it; call before begin().
     void restrictToMarked() { m_maskBit = 0x80; }
 
@@ -40,13 +43,15 @@ public:
 
 private:
     gl::DrawState state() const;
-    void draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen) const;
+    void draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen,
+              VolumeLook look = {}) const;
 
     FrameContext& m_frame;
     const LightFrame& m_light;
     const ShadowVolumes& m_volumes;
     bool m_twoSided;
     int m_maskBit = 0;
+    bool m_addsFragments = false;
     LightRegion m_region;
     gl::Framebuffer m_target;
 };

@@ -1,19 +1,41 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shared/volume_fill.h"
 
+#include <numeric>
 #include <vector>
 
 #include "render/frame_context.h"
 
 namespace ombrage {
 
+namespace {
+
+std::vector<float> valuesOf(const gl::Texture& image) {
+    std::vector<float> values(std::size_t(image.width()) * std::size_t(image.height()));
+    image.download(0, 0, GL_RED, GL_FLOAT, values.size() * sizeof(float), values.data());
+    return values;
+}
+
+}  // namespace
+
+gl::Texture emptyFill(const FrameContext& frame) {
+    gl::Texture image({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
+    const gl::Framebuffer target({{&image}}, {}, "volume fill");
+    target.clearColor(0, glm::vec4(0));
+    return image;
+}
+
+double sumOf(const gl::Texture& fill) {
+    const std::vector<float> values = valuesOf(fill);
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options) {
     ShadowVolumes volumes;
     volumes.update(frame, light, options);
-    gl::Texture count({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
+    gl::Texture count = emptyFill(frame);
     const gl::Framebuffer target({{&count}}, {}, "volume fill");
     target.bind();
-    target.clearColor(0, glm::vec4(0));
     gl::DrawState state;
     state.blend = true;
     state.depthClamp = frame.view.orthographic;
@@ -27,12 +49,10 @@ VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowV
                      const gl::Texture* mask) {
     const FrameContext::Uncounted aside(frame);
     const gl::Texture count = drawFill(frame, light, options);
-    const std::size_t pixels = std::size_t(frame.width) * std::size_t(frame.height);
-    std::vector<float> fragments(pixels), weights(pixels, 1.0f);
-    count.download(0, 0, GL_RED, GL_FLOAT, pixels * sizeof(float), fragments.data());
-    if (mask != nullptr) mask->download(0, 0, GL_RED, GL_FLOAT, pixels * sizeof(float), weights.data());
+    const std::vector<float> fragments = valuesOf(count);
+    const std::vector<float> weights = mask != nullptr ? valuesOf(*mask) : std::vector<float>(fragments.size(), 1.0f);
     VolumeFill fill;
-    for (std::size_t i = 0; i < pixels; ++i) {
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
         fill.all += double(fragments[i]);
         fill.counted += weights[i] != 0.0f ? double(fragments[i]) : 0.0;
     }

@@ -11,6 +11,10 @@ struct VolumeFill {
     double counted = 0;  ///< of those, at the pixels where the mask is not 0; all of them without a mask
 };
 
+/// An R32F image of the picture's size, all 0, and the sum of one.
+gl::Texture emptyFill(const FrameContext& frame);
+double sumOf(const gl::Texture& fill);
+
 /// How often everything that z-fail draws covers each pixel: R32F, of the picture's size.
 gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options);
 

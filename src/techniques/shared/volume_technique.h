@@ -5,6 +5,7 @@
 #include "render/technique.h"
 #include "techniques/shared/shadow_volume.h"
 #include "techniques/shared/volume_counter.h"
+#include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_views.h"
 
 namespace ombrage {
@@ -21,8 +22,11 @@ public:
         const VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
         count(frame, light, counter);
         showVolumes(frame, light, m_volumes);
-        const auto pass = frame.pass("shadow from stencil");
-        counter.darken(visibility);
+        {
+            const auto pass = frame.pass("shadow from stencil");
+            counter.darken(visibility);
+        }
+        if (frame.countsSavings()) countOwnFill(frame, light);
     }
 
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
@@ -37,6 +41,19 @@ protected:
     const ShadowVolumes& volumes() const { return m_volumes; }
 
 private:
+    void countOwnFill(FrameContext& frame, const LightFrame& light) {
+        double fill = 0;
+        {
+            const FrameContext::Uncounted aside(frame);
+            const gl::Texture image = emptyFill(frame);
+            VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
+            counter.addFragmentsTo(image);
+            count(frame, light, counter);
+            fill = sumOf(image);
+        }
+        frame.counter("fill", fill);
+    }
+
     ShadowVolumes m_volumes;
 };
 
