@@ -294,7 +294,7 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
         if (program == nullptr || byGeometryShader) {
             program = &this->program(frame, VolumePart(part), look);
             program->set("u_toward", light.toward());
-            program->set("u_infinity", frame.view.orthographic ? kOrthographicInfinity : 0.0f);
+            program->set("u_infinity", infinity(frame.view));
             program->set("u_distance", look.distance_m.value_or(m_key->options.distance_m.value_or(0.0f)));
         }
         // Runs of chosen instances, a draw each.
@@ -316,6 +316,20 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
             i = std::max(end, i + 1);
         }
     }
+}
+
+float ShadowVolumes::infinity(const CameraView& view) {
+    return view.orthographic ? kOrthographicInfinity : 0.0f;
+}
+
+std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instance) const {
+    // Sides come first, in the instances' order.
+    const auto here = m_counts.begin() + std::ptrdiff_t(instance);
+    return {std::accumulate(m_counts.begin(), here, 0u), *here};
+}
+
+std::uint32_t ShadowVolumes::indicesPerSide() const {
+    return m_key->type != LightType::Sun || end() ? 6 : 3;
 }
 
 int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
@@ -340,8 +354,7 @@ void ShadowVolumes::readBackSizes() const {
     for (const gl::DrawElementsIndirect& command : commands) m_counts.push_back(command.count);
     std::size_t corners = 0;
     for (std::size_t i = 0; i < m_casters.size(); ++i) corners += m_counts[i];
-    const bool farEnds = m_key->type != LightType::Sun || m_key->options.distance_m;
-    m_edges = corners / (farEnds ? 6 : 3);
+    m_edges = corners / indicesPerSide();
 }
 
 void ShadowVolumes::report(FrameContext& frame) const {

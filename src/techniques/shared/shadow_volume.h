@@ -15,6 +15,7 @@
 namespace ombrage {
 
 class FrameContext;
+struct CameraView;
 struct GpuCaster;
 struct GpuTopology;
 struct LightFrame;
@@ -79,6 +80,19 @@ public:
 
     /// Instances that cast.
     const VolumeChoice& casters() const { return m_casters; }
+
+    /// w of points at infinity (shared/volume_ends.glsl).
+    static float infinity(const CameraView& view);
+
+    /// Where the indices of an instance's sides stand in indices(): the first of them, and how many. Of each side the
+    /// first two are the ends of its edge, the cap's interior to the left of the way from the second to the first, as
+    /// the light sees it. Known where the processor finds the silhouettes.
+    std::pair<std::uint32_t, std::uint32_t> sides(std::size_t instance) const;
+    const gl::Buffer& indices() const { return m_indices; }
+    std::uint32_t indicesPerSide() const;
+
+    /// Every triangle of the instance casts, not only those turned away from the light.
+    bool castsWithBothSides(std::size_t instance) const { return m_key->both[instance]; }
 
     /// Whether they end, at a distance.
     bool end() const { return m_key->options.distance_m.has_value(); }
