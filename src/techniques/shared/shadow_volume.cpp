@@ -132,7 +132,8 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
         localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
                                                         : glm::dvec4(m_key->position, 1.0));
     request.mirrored = instance.mirrored;
-    request.both = m_key->both[i];
+    request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
+    request.litOnly = m_key->options.casting == CastingSide::Lit;
     request.faces = m_key->options.faces;
     request.finite = m_key->options.distance_m.has_value();
     request.firstVertex = gpuScene.meshFirstVertex(instance.mesh);

@@ -42,12 +42,18 @@ struct VolumeVertices {
 enum class VolumePart { Sides, LightCaps, DarkCaps, InwardLightCaps };
 inline constexpr std::size_t kVolumeParts = 4;
 
+/// Which triangles cast: those turned away from the light, where these are not enough all (see VolumeRequest::both); or
+/// one kind alone, which the processor finds.
+enum class CastingSide { Automatic, Away, Lit };
+
 struct ShadowVolumeOptions {
     VolumeFaces faces = VolumeFaces::Silhouette;
     SilhouetteSource source = SilhouetteSource::Cpu;
+    CastingSide casting = CastingSide::Automatic;
     std::optional<float> distance_m;  ///< where they end; endless without it
 
     explicit ShadowVolumeOptions(const VolumeParams& params);
+    explicit ShadowVolumeOptions(CastingSide side) : casting(side) {}
     ShadowVolumeOptions() = default;
     bool operator==(const ShadowVolumeOptions&) const = default;
 };
@@ -91,8 +97,8 @@ public:
     const gl::Buffer& indices() const { return m_indices; }
     std::uint32_t indicesPerSide() const;
 
-    /// Every triangle of the instance casts, not only those turned away from the light.
-    bool castsWithBothSides(std::size_t instance) const { return m_key->both[instance]; }
+    /// The triangles turned away from the light are not enough for this instance.
+    bool needsBothSides(std::size_t instance) const { return m_key->both[instance]; }
 
     /// Whether they end, at a distance.
     bool end() const { return m_key->options.distance_m.has_value(); }

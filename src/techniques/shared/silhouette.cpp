@@ -95,7 +95,7 @@ MeshTopology::MeshTopology(const Mesh& mesh) {
             m_uses.push_back(uses[i].use);
             balance += (uses[i].use & 1u) != 0 ? -1 : 1;
         }
-        m_closed = m_closed && balance == 0;
+        m_openEdges += balance != 0 ? 1 : 0;
     }
     m_firstUse.push_back(std::uint32_t(m_uses.size()));
 }

@@ -25,7 +25,9 @@ public:
     explicit MeshTopology(const Mesh& mesh);
 
     /// Every edge is used as often in one direction as in the other: the surface has an inside.
-    bool closed() const { return m_closed; }
+    bool closed() const { return m_openEdges == 0; }
+    /// Edges of which that is not so.
+    std::size_t openEdgeCount() const { return m_openEdges; }
     std::size_t triangleCount() const { return m_triangles.size(); }
     std::size_t edgeCount() const { return m_edges.size(); }
 
@@ -43,7 +45,7 @@ private:
     std::vector<std::uint32_t> m_firstUse;  ///< per edge, into m_uses; one more at the end
     std::vector<std::uint32_t> m_uses;      ///< as EdgePair::uses
     std::vector<glm::dvec4> m_planes;
-    bool m_closed = true;
+    std::size_t m_openEdges = 0;
 };
 
 /// Whose edges are extruded: every triangle's, those of the triangles that are enough (see VolumeRequest::both), or the
@@ -59,6 +61,8 @@ struct VolumeRequest {
     /// Both: every triangle, turned towards the light, casts. Else only those turned away from the light do, which is
     /// enough for closed meshes while neither the eye nor the light is inside.
     bool both = false;
+    /// In the place of those turned away, only the triangles that face the light cast.
+    bool litOnly = false;
     VolumeFaces faces = VolumeFaces::Silhouette;
     /// Sides end at a distance, so that even a sun's have four corners and a dark cap.
     bool finite = false;
@@ -70,7 +74,7 @@ struct VolumeRequest {
     /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
     std::int8_t weight(const glm::dvec4& plane) const {
         const bool all = both || faces == VolumeFaces::All;
-        return glm::dot(plane, light_local) > 0.0 ? std::int8_t(all ? 1 : 0) : std::int8_t(-1);
+        return glm::dot(plane, light_local) > 0.0 ? std::int8_t(all || litOnly ? 1 : 0) : std::int8_t(litOnly ? 0 : -1);
     }
 };
 

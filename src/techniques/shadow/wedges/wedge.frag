@@ -4,12 +4,12 @@
 #include "ombrage/gbuffer.glsl"
 #include "shadow/wedges/coverage.glsl"
 
-layout(location = 0) out vec2 o_share;
+layout(location = 0) out vec4 o_share;   // shares and counts, of the sides turned away and of the lit ones
 
 flat in vec3 v_a;
 flat in vec3 v_b;
 
-uniform float u_weight;
+uniform vec2 u_sums;   // 1 where it is added
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -36,5 +36,5 @@ void main() {
     if (HORIZON != 0) horizon = horizonOf(outline, gbufferGeometricNormal(pixel));
     float share = shareBeyond(from.xy / from.z, to.xy / to.z, horizon) / kOutlineArea;
     if (share == 0.0) discard;
-    o_share = vec2(share * outline.turn * u_weight, 0.0);
+    o_share = (share * outline.turn) * vec4(u_sums.x, 0.0, u_sums.y, 0.0);
 }

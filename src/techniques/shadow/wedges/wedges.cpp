@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // shadow/wedges: soft shadow volumes. Hard volumes from the light's centre, and a wedge per silhouette edge that mends
 // their count by the part of the light that lies beyond the edge.
+#include <algorithm>
+
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shared/volume_counter.h"
@@ -12,6 +14,9 @@ namespace {
 
 /// Of the numbers that edges and volumes are summed in.
 enum class CoveragePrecision { Half, Single };
+
+/// Share of open edges from which on a mesh is no body with holes.
+constexpr double kSheet = 0.1;
 
 constexpr const char* kCoverage = "wedge-coverage";
 constexpr const char* kOverlap = "wedge-overlap";
@@ -56,64 +61,84 @@ struct WedgesParams {
 
 class Wedges final : public ShadowTechniqueOf<WedgesParams> {
 public:
-    void prepare(FrameContext&) override { m_volumes.reset(); }
+    void prepare(FrameContext&) override {
+        m_away.reset();
+        m_lit.reset();
+    }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, {});
-        m_volumes.report(frame);
-        const VolumeCounter counter(frame, light, m_volumes, true);
-        if (!light.light->hasSize() || p().size == 0.0f) {
-            count(frame, counter, m_volumes.casters());
-            showVolumes(frame, light, m_volumes);
+        const bool isHard = !light.light->hasSize() || p().size == 0.0f;
+        m_away.update(frame, light, ShadowVolumeOptions(isHard ? CastingSide::Automatic : CastingSide::Away));
+        m_away.report(frame);
+        if (isHard) {
+            const VolumeCounter counter(frame, light, m_away, true);
+            count(frame, counter, m_away.casters());
+            showVolumes(frame, light, m_away);
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
             return;
         }
+        const std::vector<Layer> layers = this->layers(frame, light);
 
-        // The count of volumes and the edges' shares in one image, side by side.
+        // The edges' shares and the count of volumes in one image, side by side, for each side of the casters.
+        const bool isHalf = p().precision == CoveragePrecision::Half;
+        const GLenum oneSide = isHalf ? GL_RG16F : GL_RG32F, bothSides = isHalf ? GL_RGBA16F : GL_RGBA32F;
         const auto share = frame.targets->take(
-            {.format = p().precision == CoveragePrecision::Half ? GLenum(GL_RG16F) : GLenum(GL_RG32F),
-             .width = frame.width,
-             .height = frame.height},
+            {.format = layers.size() == 1 ? oneSide : bothSides, .width = frame.width, .height = frame.height},
             "wedge shares");
         const gl::Framebuffer target({{share.get()}}, {&frame.gbuffer->depth}, "wedge shares");
         target.bind();
         target.clearColor(0, glm::vec4(0));
-        for (const Layer& layer : layers(frame)) {
-            count(frame, counter, layer.casters);
-            showVolumes(frame, light, m_volumes);
+        for (const Layer& layer : layers) {
+            count(frame, VolumeCounter(frame, light, *layer.volumes, true), layer.casters);
+            if (&layer == layers.data()) showVolumes(frame, light, m_away);
             target.bind();
-            addCount(frame, layer.weight);
+            addCount(frame, layer);
             addWedges(frame, light, layer, "shadow/wedges/wedge.frag");
         }
-        resolve(frame, visibility, *share);
+        resolve(frame, visibility, *share, layers.size() > 1);
         if (frame.wants(kCoverage)) frame.expose(kCoverage, *share, ShowAs::Count);
-        if (frame.wants(kOverlap)) showOverlap(frame, light);
+        if (frame.wants(kOverlap)) showOverlap(frame, light, layers);
     }
 
-    std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes() + m_hull.size(); }
+    std::uint64_t gpuBytes() const override { return m_away.gpuBytes() + m_lit.gpuBytes() + m_hull.size(); }
 
 private:
-    /// Casters whose every count is worth as much.
+    /// Casters that are drawn alike.
     struct Layer {
+        const ShadowVolumes* volumes;
         VolumeChoice casters;
-        float weight = 1.0f;
+        glm::vec2 sums;  ///< 1 or 0: into that of the sides turned away from the light, into that of the lit ones
     };
 
-    /// Where all triangles of a closed caster cast, a way to the light meets two of them for each body that it meets.
-    std::vector<Layer> layers(FrameContext& frame) const {
-        const auto& instances = frame.gpuScene->flat().instances;
+    /// Of most casters what is turned away from the light covers as much of it as what faces it, and is enough. Of an
+    /// open one either may cover more, and the greater of both sums counts; those that are sheets have
+    /// sides that cover what they cover by themselves, and so add up.
+    std::vector<Layer> layers(FrameContext& frame, const LightFrame& light) {
         const auto& topology = frame.gpuScene->derived<SceneTopology>();
-        Layer single{m_volumes.casters(), 1.0f}, twofold{VolumeChoice(instances.size()), 0.5f};
+        const auto& instances = frame.gpuScene->flat().instances;
+        Layer away{&m_away, m_away.casters(), {1, 1}}, awayOnly{&m_away, VolumeChoice(instances.size()), {1, 0}};
+        Layer litOnly{&m_lit, awayOnly.casters, {0, 1}}, lit{&m_lit, awayOnly.casters, {1, 1}};
         bool some = false;
         for (std::size_t i = 0; i < instances.size(); ++i) {
-            if (!single.casters[i] || !m_volumes.castsWithBothSides(i) || !topology.mesh(instances[i].mesh).closed())
-                continue;
-            twofold.casters[i] = some = true;
-            single.casters[i] = false;
+            if (!away.casters[i] || !m_away.needsBothSides(i)) continue;
+            const MeshTopology& mesh = topology.mesh(instances[i].mesh);
+            const bool isSheet = double(mesh.openEdgeCount()) > kSheet * double(mesh.edgeCount());
+            (isSheet ? lit : litOnly).casters[i] = some = true;
+            if (isSheet) continue;
+            away.casters[i] = false;
+            awayOnly.casters[i] = true;
         }
-        if (!some) return {single};
-        return {single, twofold};
+        if (!some) return {away};
+        m_lit.update(frame, light, ShadowVolumeOptions(CastingSide::Lit));
+        std::vector<Layer> all{away, awayOnly, litOnly, lit};
+        all.erase(std::remove_if(all.begin(), all.end(),
+                                 [](const Layer& layer) {
+                                     return std::find(layer.casters.begin(), layer.casters.end(), true) ==
+                                            layer.casters.end();
+                                 }),
+                  all.end());
+        return all;
     }
 
     void count(FrameContext& frame, const VolumeCounter& counter, const VolumeChoice& casters) const {
@@ -123,7 +148,7 @@ private:
     }
 
     /// The stencil's count, two's complement, bit by bit.
-    void addCount(FrameContext& frame, float weight) {
+    void addCount(FrameContext& frame, const Layer& layer) {
         const auto pass = frame.pass("count from stencil");
         gl::DrawState state;
         state.blend = true;
@@ -136,7 +161,7 @@ private:
                 face->readMask = GLuint(1 << bit);
             }
             gl::apply(state);
-            program.set("u_count", weight * float(bit == 7 ? -128 : 1 << bit));
+            program.set("u_count", layer.sums * float(bit == 7 ? -128 : 1 << bit));
             frame.drawFullscreen();
         }
     }
@@ -162,17 +187,17 @@ private:
         frame.bindGBuffer();
         frame.gpuScene->bindStorage();
         frame.gpuScene->derived<VolumeVertices>().buffer.bindStorage(kEndStorage);
-        m_volumes.indices().bindStorage(kSideStorage);
+        layer.volumes->indices().bindStorage(kSideStorage);
         const gl::Program& program =
             frame.program(*this, {{GL_VERTEX_SHADER, "shadow/wedges/wedge.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}});
-        program.set("u_stride", m_volumes.indicesPerSide());
+        program.set("u_stride", layer.volumes->indicesPerSide());
         program.set("u_infinity", ShadowVolumes::infinity(frame.view));
-        program.set("u_weight", layer.weight);
+        program.set("u_sums", layer.sums);
 
         // A command per caster, an instance per side.
         std::vector<gl::DrawElementsIndirect> commands;
         for (std::size_t i = 0; i < layer.casters.size(); ++i) {
-            const std::uint32_t sides = m_volumes.sides(i).second / m_volumes.indicesPerSide();
+            const std::uint32_t sides = layer.volumes->sides(i).second / layer.volumes->indicesPerSide();
             commands.push_back({std::uint32_t(kHull.size()), layer.casters[i] ? sides : 0, 0, 0, 0});
         }
         m_commands = gl::Buffer::from(commands, "wedges");
@@ -180,7 +205,7 @@ private:
         for (std::size_t i = 0; i < commands.size(); ++i) {
             if (commands[i].instanceCount == 0) continue;
             program.set("u_instance", unsigned(i));
-            program.set("u_first", m_volumes.sides(i).first);
+            program.set("u_first", layer.volumes->sides(i).first);
             gl::drawElementsIndirect(m_corners, m_commands, i, 1);
             frame.countDraw(1, std::uint64_t(commands[i].instanceCount) * kHull.size() / 3);
             wedges += commands[i].instanceCount;
@@ -188,26 +213,26 @@ private:
         frame.counter("wedges", double(wedges));
     }
 
-    void resolve(FrameContext& frame, const gl::Texture& visibility, const gl::Texture& share) {
+    void resolve(FrameContext& frame, const gl::Texture& visibility, const gl::Texture& share, bool bothSides) {
         const auto pass = frame.pass("shadow from wedges");
         const gl::Framebuffer target({{&visibility}}, {&frame.gbuffer->depth}, "shadow from wedges");
         target.bind();
-        frame.fullscreenProgram(*this, "shadow/wedges/resolve.frag");
+        frame.fullscreenProgram(*this, "shadow/wedges/resolve.frag", {{"BOTH_SIDES", bothSides ? "1" : "0"}});
         frame.bindGBuffer();
         share.bind(kFirstFreeUnit);
         frame.drawSurfaces();
     }
 
-    void showOverlap(FrameContext& frame, const LightFrame& light) {
+    void showOverlap(FrameContext& frame, const LightFrame& light, const std::vector<Layer>& layers) {
         const gl::Texture overlap({.format = GL_R32F, .width = frame.width, .height = frame.height}, "wedge overlap");
         const gl::Framebuffer target({{&overlap}}, {&frame.gbuffer->depth}, "wedge overlap");
         target.bind();
         target.clearColor(0, glm::vec4(0));
-        addWedges(frame, light, {m_volumes.casters(), 1.0f}, "shared/volume_one.frag");
+        for (const Layer& layer : layers) addWedges(frame, light, layer, "shared/volume_one.frag");
         frame.expose(kOverlap, overlap, ShowAs::Count);
     }
 
-    ShadowVolumes m_volumes;
+    ShadowVolumes m_away, m_lit;
     gl::Buffer m_hull, m_commands;
     gl::VertexArray m_corners;
 };
@@ -215,7 +240,7 @@ private:
 std::vector<PassInfo> wedgePasses() {
     std::vector<PassInfo> passes = volumePasses();
     passes.push_back(
-        {kCoverage, "share of the light that the edges add to the hard shadow (red) and the count of volumes (green)"});
+        {kCoverage, "share of the light that the edges add to the hard shadow of what is turned away from it"});
     passes.push_back({kOverlap, "wedges over each pixel, which is what the pass costs"});
     return passes;
 }
