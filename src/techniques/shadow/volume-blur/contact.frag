@@ -14,21 +14,21 @@ uniform float u_distance;   // of volumes that end
 uniform vec4 u_toward;
 
 void main() {
+    vec2 uv = gl_FragCoord.xy * frame.viewport.zw;
     float depth = gbufferDepth(ivec2(gl_FragCoord.xy));
-    if (depth == 0.0 || gl_FragCoord.z <= 0.0) discard;
-    float surface_m = viewDepthFromDepth(depth), side_m = viewDepthFromDepth(gl_FragCoord.z);
+    float sideDepth = max(gl_FragCoord.z, 1e-9);   // a side's far end lies at infinity
+    vec3 p_side = (frame.worldFromView * vec4(positionViewFromDepth(uv, sideDepth), 1.0)).xyz;
+    vec3 n_side = cross(dFdx(p_side), dFdy(p_side));
+    if (depth == 0.0) discard;
+    vec3 p_world = (frame.worldFromView * vec4(positionViewFromDepth(uv, depth), 1.0)).xyz;
 
     // The weight of the far end, a direction or a point, along the ray from the light.
 #ifdef FINITE
-    o_distance = v_extrusion * u_distance;
-    if (u_toward.w != 0.0) {
-        vec2 uv = gl_FragCoord.xy * frame.viewport.zw;
-        vec3 p_world = (frame.worldFromView * vec4(positionViewFromDepth(uv, gl_FragCoord.z), 1.0)).xyz;
-        o_distance /= distance(p_world, u_toward.xyz);
-    }
+    o_distance = v_extrusion * u_distance / (u_toward.w != 0.0 ? distance(p_side, u_toward.xyz) : 1.0);
 #else
     o_distance = u_toward.w != 0.0 ? v_extrusion : v_extrusion / max(1.0 - v_extrusion, 1e-7);
 #endif
-    // Reversed: what is nearer to the surface wins.
-    gl_FragDepth = 1.0 / (1.0 + abs(surface_m - side_m) / pixelSizeAt(surface_m));
+    // Distance of the surface from the side's plane, in sizes of a pixel. Reversed: what is nearer wins.
+    float steep = max(length(n_side), 1e-30);
+    gl_FragDepth = 1.0 / (1.0 + abs(dot(n_side, p_side - p_world)) / (steep * pixelSizeAt(viewDepthFromDepth(depth))));
 }

@@ -107,9 +107,9 @@ public:
             target.clearColor(0, glm::vec4(1));
             counter.darken(*hard);
         }
-        TargetPool::Target contact;
+        Contact contact;
         if (byContact) contact = drawContact(frame, light);
-        const TargetPool::Target edges = spread(frame, findEdges(frame, *hard, contact.get()));
+        const TargetPool::Target edges = spread(frame, findEdges(frame, *hard, contact));
         blur(frame, *hard, *edges, visibility);
         if (frame.wants(kHard)) frame.expose(kHard, *hard, ShowAs::Value);
         if (frame.wants(kContact)) show(frame, *edges, true);
@@ -119,17 +119,21 @@ public:
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
 
 private:
+    struct Contact {
+        TargetPool::Target distance, nearness;
+    };
+
     /// Draws the sides once more: of all that lie over a pixel, how far the one nearest to the surface is from its
     /// caster.
-    TargetPool::Target drawContact(FrameContext& frame, const LightFrame& light) {
+    Contact drawContact(FrameContext& frame, const LightFrame& light) {
         const auto pass = frame.pass("contact distance");
-        auto contact =
-            frame.targets->take({.format = GL_R32F, .width = frame.width, .height = frame.height}, "contact distance");
-        const auto nearness = frame.targets->take(
-            {.format = GL_DEPTH_COMPONENT32F, .width = frame.width, .height = frame.height}, "contact nearness");
-        const gl::Framebuffer target({{contact.get()}}, {nearness.get()}, "contact distance");
+        const auto image = [&frame](GLenum format, const char* label) {
+            return frame.targets->take({.format = format, .width = frame.width, .height = frame.height}, label);
+        };
+        Contact contact{image(GL_R32F, "contact distance"), image(GL_DEPTH_COMPONENT32F, "contact nearness")};
+        const gl::Framebuffer target({{contact.distance.get()}}, {contact.nearness.get()}, "contact distance");
         target.bind();
-        target.clearColor(0, glm::vec4(-1));
+        target.clearColor(0, glm::vec4(0));
         target.clearDepth(0.0f);
         const LightRegion region(frame.view, light);
         if (region.empty) return contact;
@@ -149,7 +153,7 @@ private:
         return frame.targets->take({.format = GL_RG32UI, .width = frame.width, .height = frame.height}, "shadow edges");
     }
 
-    TargetPool::Target findEdges(FrameContext& frame, const gl::Texture& hard, const gl::Texture* contact) {
+    TargetPool::Target findEdges(FrameContext& frame, const gl::Texture& hard, const Contact& contact) {
         const auto pass = frame.pass("shadow edges");
         auto edges = edgeImage(frame);
         const gl::Framebuffer target({{edges.get()}}, {&frame.gbuffer->depth}, "shadow edges");
@@ -158,7 +162,10 @@ private:
         frame.fullscreenProgram(*this, "shadow/volume-blur/edges.frag");
         frame.bindGBuffer();
         hard.bind(kFirstFreeUnit);
-        if (contact != nullptr) contact->bind(kFirstFreeUnit + 1);
+        if (contact.distance) {
+            contact.distance->bind(kFirstFreeUnit + 1);
+            contact.nearness->bind(kFirstFreeUnit + 2);
+        }
         frame.drawSurfaces();
         return edges;
     }
