@@ -38,6 +38,7 @@ FrameContext::LightScope::~LightScope() {
 }
 
 void FrameContext::countDraw(std::uint64_t draws, std::uint64_t triangles) {
+    if (recorder->uncounted) return;
     assert(!recorder->passes.empty());
     recorder->passes.back().draws += draws;
     recorder->passes.back().triangles += triangles;
@@ -51,6 +52,19 @@ bool FrameContext::wants(const std::string& name) const {
 
 bool FrameContext::isReturned() const {
     return recorder->capturing;
+}
+
+bool FrameContext::countsSavings() const {
+    return recorder->capturing && recorder->timesPasses;
+}
+
+FrameContext::Uncounted::Uncounted(FrameContext& frame) : m_frame(frame) {
+    m_frame.recorder->uncounted = true;
+}
+
+FrameContext::Uncounted::~Uncounted() {
+    m_frame.recorder->uncounted = false;
+    gl::takeTraffic();  // of no pass
 }
 
 void FrameContext::expose(const std::string& name, const gl::Texture& texture, ShowAs how, int layer) {

@@ -117,6 +117,22 @@ public:
     /// done here alone.
     bool isReturned() const;
 
+    /// Whether what a technique saves is to be counted now: in the frame that is returned, and only where passes are
+    /// timed one by one, so that counting falls into no time.
+    bool countsSavings() const;
+
+    /// While it lives, draws are left out of the record: they count, and are not part of the technique.
+    class Uncounted {
+    public:
+        explicit Uncounted(FrameContext& frame);
+        ~Uncounted();
+        Uncounted(const Uncounted&) = delete;
+        Uncounted& operator=(const Uncounted&) = delete;
+
+    private:
+        FrameContext& m_frame;
+    };
+
     void warn(const std::string& message);
 
     /// The program of a technique, in use: its virtual include "FAMILY/NAME/params" and its defines are added from its

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <ombrage/image.h>
+#include <ombrage/renderer.h>
+#include <ombrage/scene.h>
+
+namespace ombrage::test {
+
+/// A model on a floor, to be looked at and lit from anywhere.
+struct Stage {
+    std::string name;
+    Scene scene;             ///< camera 0 and light 0 are replaced
+    glm::dvec3 center{0.0};  ///< of the model
+    double radius_m = 1;     ///< of the ball around its bounds
+    double floor_m = 0;      ///< height of the floor
+    bool closed = false;     ///< every mesh of the model is
+};
+
+/// @throws Error as loadScene. A built-in scene has its own floor.
+Stage makeStage(const std::string& nameOrFile);
+
+/// Puts the camera and the light of a seed into the stage's scene, and says in words which: any kind of light without a
+/// size, one in ten within the model's ball, one lamp in four with a range; one camera in eight is orthographic.
+std::string arrange(Stage& stage, std::uint64_t seed);
+
+struct ViewOutcome {
+    std::size_t valid = 0;  ///< pixels that are measured
+    double dark = 0;        ///< share of them in shadow
+    double wrong = 0;       ///< share of them, as the metric `wrong`
+    Image errors;           ///< the picture; wrong pixels red where shadow is missing, blue where there is too much
+};
+
+/// Renders what is arranged and holds it against the truth.
+ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::string& technique, int width, int height);
+
+}  // namespace ombrage::test
