@@ -3,7 +3,7 @@
 // receiver asks.
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/shared/volume_counter.h"
+#include "techniques/shared/volume_split.h"
 #include "techniques/shared/volume_views.h"
 
 namespace ombrage {
@@ -88,9 +88,10 @@ public:
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         {
+            const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp);
             const auto pass = frame.pass("shadow volumes");
-            counter.begin(0);
-            counter.zFail(m_volumes.casters());
+            counter.begin(split.atTheEye);
+            split.count(counter);
         }
         showVolumes(frame, light, m_volumes);
         const bool byContact = p().mode == BlurMode::Contact;
