@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // shadow/volume-blur: the hard shadow of volumes, blurred by a constant width or by what the distance from caster to
 // receiver asks.
+#include <algorithm>
+
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shared/volume_split.h"
@@ -174,8 +176,11 @@ private:
     /// Hands every edge to the pixels that it may reach.
     TargetPool::Target spread(FrameContext& frame, TargetPool::Target edges) {
         const auto pass = frame.pass("spread edges");
+        // Edges of a width in pixels reach no farther than that.
+        const bool inPixels = p().mode == BlurMode::Constant && p().unit == BlurUnit::Pixels;
+        const float reach_px = inPixels ? std::min(p().reach_px, 0.5f * p().width) : p().reach_px;
         int step = 1;
-        while (float(step) < p().reach_px) step *= 2;
+        while (float(step) < reach_px) step *= 2;
         for (; step >= 1; step /= 2) {
             auto next = edgeImage(frame);
             const gl::Framebuffer target({{next.get()}}, {&frame.gbuffer->depth}, "spread edges");

@@ -70,7 +70,7 @@ TEST(VolumeBlur, TheSilhouettesSourceChangesNothing) {
         const std::vector<float> other =
             visibilityOf("penumbrae", std::string("shadow/volume-blur:silhouette=") + source, "lamp");
         std::size_t differing = 0;
-        for (std::size_t i = 0; i < other.size(); ++i) differing += std::abs(other[i] - byProcessor[i]) > 0.1f ? 1 : 0;
+        for (std::size_t i = 0; i < other.size(); ++i) differing += std::abs(other[i] - byProcessor[i]) > 0.01f ? 1 : 0;
         // Sides at one distance from the surface, in another order.
         EXPECT_LE(differing, 20u) << source;
     }
