@@ -59,6 +59,7 @@ const Mesh& largestMesh(const Scene& scene) {
 
 struct Extraction {
     double topology_ms = 0, median_ms = 0, least_ms = 0;
+    double withCaps_ms = 0;  ///< median
     std::size_t triangles = 0, edges = 0, silhouette = 0;
 };
 
@@ -69,17 +70,20 @@ Extraction extract(const Scene& scene, int rounds) {
     Extraction result{.topology_ms = millisecondsSince(start)};
     result.triangles = topology.triangleCount();
     result.edges = topology.edgeCount();
-    std::vector<double> times;
-    for (int i = 0; i < rounds; ++i) {
-        VolumeRequest request;
-        request.light_local = glm::dvec4(lightAt(scene, i), 1.0);
-        request.both = !topology.closed();
-        VolumeTriangles out;
-        start = Clock::now();
-        appendVolume(topology, request, out);
-        times.push_back(millisecondsSince(start));
-        result.silhouette = out.edges;
-    }
+    std::vector<double> times, withCaps;
+    for (int i = 0; i < rounds; ++i)
+        for (const bool caps : {false, true}) {
+            VolumeRequest request;
+            request.light_local = glm::dvec4(lightAt(scene, i), 1.0);
+            request.both = !topology.closed();
+            request.caps = caps;
+            VolumeTriangles out;
+            start = Clock::now();
+            appendVolume(topology, request, out);
+            (caps ? withCaps : times).push_back(millisecondsSince(start));
+            result.silhouette = out.edges;
+        }
+    result.withCaps_ms = medianOf(withCaps);
     result.median_ms = medianOf(times);
     result.least_ms = *std::min_element(times.begin(), times.end());
     return result;
@@ -129,26 +133,27 @@ int main(int argc, char** argv) try {
 
     Renderer renderer;
     nlohmann::json rows = nlohmann::json::array();
-    fmt::print("{:<24} {:>9} {:>10} {:>9} {:>9} {:>9} | {:>9} {:>9} {:>9} {:>9}\n", "mesh", "triangles", "silhouette",
-               "topology", "median", "least", "none", "cpu", "geometry", "compute");
+    fmt::print("{:<24} {:>9} {:>10} {:>9} {:>9} {:>9} {:>9} | {:>9} {:>9} {:>9} {:>9}\n", "mesh", "triangles",
+               "silhouette", "topology", "median", "least", "+ caps", "none", "cpu", "geometry", "compute");
     for (const Scene& scene : scenes) {
         const Extraction e = extract(scene, rounds);
         std::vector<double> frames{frame_ms(renderer, scene, "shadow/none", rounds)};
         for (const char* source : {"cpu", "geometry", "compute"})
             frames.push_back(
                 frame_ms(renderer, scene, std::string("shadow/volume-zpass:silhouette=") + source, rounds) - frames[0]);
-        fmt::print("{:<24} {:>9} {:>10} {:>9.2f} {:>9.2f} {:>9.2f} | {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n", scene.name,
-                   e.triangles, e.silhouette, e.topology_ms, e.median_ms, e.least_ms, frames[0], frames[1], frames[2],
-                   frames[3]);
+        fmt::print("{:<24} {:>9} {:>10} {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f} | {:>9.2f} {:>9.2f} {:>9.2f} {:>9.2f}\n",
+                   scene.name, e.triangles, e.silhouette, e.topology_ms, e.median_ms, e.least_ms, e.withCaps_ms,
+                   frames[0], frames[1], frames[2], frames[3]);
         std::fflush(stdout);
-        rows.push_back({{"mesh", scene.name},
-                        {"triangles", e.triangles},
-                        {"edges", e.edges},
-                        {"silhouette_edges", e.silhouette},
-                        {"topology_ms", e.topology_ms},
-                        {"extraction_ms", {{"median", e.median_ms}, {"least", e.least_ms}}},
-                        {"frame_none_ms", frames[0]},
-                        {"frame_added_ms", {{"cpu", frames[1]}, {"geometry", frames[2]}, {"compute", frames[3]}}}});
+        rows.push_back(
+            {{"mesh", scene.name},
+             {"triangles", e.triangles},
+             {"edges", e.edges},
+             {"silhouette_edges", e.silhouette},
+             {"topology_ms", e.topology_ms},
+             {"extraction_ms", {{"median", e.median_ms}, {"least", e.least_ms}, {"with_caps", e.withCaps_ms}}},
+             {"frame_none_ms", frames[0]},
+             {"frame_added_ms", {{"cpu", frames[1]}, {"geometry", frames[2]}, {"compute", frames[3]}}}});
     }
     if (!json.empty()) {
         std::FILE* out = std::fopen(json.c_str(), "w");

@@ -85,7 +85,7 @@ void VolumeCounter::zPass(const VolumeChoice& chosen, bool clampDepth) const {
     // The dark caps of endless volumes lie behind everything.
     m_target.bind();
     draw(state, VolumePart::Sides, VolumePart::Sides, chosen);
-    if (m_volumes.end()) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
+    if (m_volumes.options().distance_m) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
 }
 
 void VolumeCounter::zFail(const VolumeChoice& chosen) const {

@@ -7,17 +7,30 @@
 
 namespace ombrage {
 
-VolumeSplit::VolumeSplit(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, CountingMode mode)
-    : clampDepth(mode == CountingMode::Clamp && !frame.view.orthographic),
-      zPass(volumes.casters()),
-      zFail(volumes.casters()) {
+namespace {
+
+bool clamps(const FrameContext& frame, CountingMode mode) {
+    return mode == CountingMode::Clamp && !frame.view.orthographic;
+}
+
+}  // namespace
+
+VolumeChoice countedByZFail(const FrameContext& frame, const LightFrame& light, CountingMode mode) {
     const NearClipVolume nearClip(frame.view, light.toward());
-    for (std::size_t i = 0; i < zPass.size(); ++i) {
+    VolumeChoice chosen(frame.gpuScene->flat().instances.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto& [lower, upper] = frame.gpuScene->instanceBounds(i);
-        const bool fails = clampDepth ? frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m())
-                                      : nearClip.touches(lower, upper);
-        zPass[i] = zPass[i] && !fails;
-        zFail[i] = zFail[i] && fails;
+        chosen[i] = clamps(frame, mode) ? frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m())
+                                        : nearClip.touches(lower, upper);
+    }
+    return chosen;
+}
+
+VolumeSplit::VolumeSplit(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, CountingMode mode)
+    : clampDepth(clamps(frame, mode)), zPass(volumes.casters()), zFail(countedByZFail(frame, light, mode)) {
+    for (std::size_t i = 0; i < zPass.size(); ++i) {
+        zFail[i] = zFail[i] && zPass[i];
+        zPass[i] = zPass[i] && !zFail[i];
     }
     if (clampDepth) atTheEye = volumes.around(frame, light, frame.view.eye, zPass);
     frame.counter("casters by z-pass", double(std::count(zPass.begin(), zPass.end(), true)));

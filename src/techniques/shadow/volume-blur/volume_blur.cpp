@@ -86,7 +86,7 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(p()));
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         {

@@ -58,7 +58,7 @@ public:
     }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(p()));
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
         m_volumes.report(frame);
         drawMap(frame, light);
         const gl::Texture& marked = *m_marked;
@@ -116,7 +116,7 @@ private:
     }
 
     void countSavings(FrameContext& frame, const LightFrame& light) {
-        reportFill(frame, countFill(frame, light, m_volumes, m_volumes.casters(), &*m_marked));
+        reportFill(frame, countFill(frame, light, m_volumes.options(), &*m_marked));
         std::vector<std::uint8_t> marks(std::size_t(frame.width) * std::size_t(frame.height));
         m_marked->download(0, 0, GL_RED, GL_UNSIGNED_BYTE, marks.size(), marks.data());
         frame.counter("pixels left to volumes",

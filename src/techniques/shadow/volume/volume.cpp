@@ -21,6 +21,10 @@ struct AutomaticVolumeParams : VolumeParams {
 };
 
 class ShadowVolume final : public VolumeTechniqueOf<AutomaticVolumeParams> {
+    VolumeChoice needsCaps(const FrameContext& frame, const LightFrame& light) const override {
+        return countedByZFail(frame, light, p().count);
+    }
+
     void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) override {
         const VolumeSplit split(frame, light, volumes(), p().count);
         const auto pass = frame.pass("shadow volumes");
