@@ -42,6 +42,7 @@ TEST(Silhouette, CubeOfSeparateFacesIsClosedAndACubeWithAHoleIsNot) {
     EXPECT_EQ(MeshTopology(mesh).edgeCount(), 18u);  // 12 and a diagonal per face
     mesh.indices.resize(mesh.indices.size() - 3);
     EXPECT_FALSE(MeshTopology(mesh).closed());
+    EXPECT_EQ(MeshTopology(mesh).openEdgeCount(), 3u);
 }
 
 TEST(Silhouette, SunSidesAreSingleTrianglesWithoutAFarCap) {
@@ -67,6 +68,16 @@ TEST(Silhouette, LampSidesAreQuadsAndCapsComeTwice) {
     EXPECT_EQ(v.darkCaps.size() / 3, 10u);
     for (std::uint32_t code : v.inwardLightCaps) EXPECT_EQ(code & 1u, 0u);
     for (std::uint32_t code : v.darkCaps) EXPECT_EQ(code & 1u, 1u);
+}
+
+TEST(Silhouette, LitTrianglesAloneBoundTheSameVolumeOfAClosedMesh) {
+    // The other side of the same silhouette: 4 edges run the same way, and the 2 triangles of the top cast.
+    const VolumeTriangles away = volumeOf(cube(), {.light_local = kLampAbove}),
+                          lit = volumeOf(cube(), {.light_local = kLampAbove, .litOnly = true});
+    EXPECT_EQ(lit.edges, 4u);
+    EXPECT_EQ(lit.sides, away.sides);
+    EXPECT_EQ(lit.lightCaps.size() / 3, 2u);
+    EXPECT_TRUE(lit.inwardLightCaps.empty());
 }
 
 TEST(Silhouette, TriangleFacesOfAClosedMeshAreCountedOncePerSide) {

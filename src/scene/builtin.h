@@ -23,6 +23,7 @@ Scene twoCasters();
 Scene room();
 Scene openMesh();
 Scene areaOverlap();
+Scene penumbrae();
 // Occlusion and whole scenes (builtin_occlusion.cpp).
 Scene menger();
 Scene cornell();

@@ -84,4 +84,33 @@ Scene areaOverlap() {
     return scene;
 }
 
+Scene penumbrae() {
+    // Casters far enough from one another that their penumbrae do not meet: a box on the floor, a ball and a leaning
+    // board in the air, a thin pole. One light of each kind, each with a size.
+    Scene scene =
+        SceneBuilder("penumbrae")
+            .object("floor", shapes::floor(9.0f), kStone)
+            .object("box", shapes::box({-0.35f, 0.0f, -0.35f}, {0.35f, 0.7f, 0.35f}), kSea, {-1.5, 0.0, 0.5}, 25.0)
+            .object("ball", shapes::sphere({0.0f, 0.8f, 0.0f}, 0.35f, 64, 32), kClay, {-0.2, 0.0, -1.1})
+            .object("board", shapes::box({-0.4f, 0.9f, -0.3f}, {0.4f, 0.94f, 0.3f}), kMoss, {1.5, 0.0, 0.1}, -20.0)
+            .object("pole", shapes::cylinder({0.0f, -0.01f, 0.0f}, 0.04f, 1.1f), kSlate, {0.2, 0.0, 1.0})
+            .point("lamp", {0.4, 4.2, 0.8}, 45.0f)
+            .sun("sun", {-0.45f, -1.5f, -0.5f}, 3.0f)
+            .spot("spot", {-0.6, 4.0, 1.4}, {0.15f, -1.0f, -0.35f}, 32.0f, 40.0f, 45.0f)
+            .point("panel", {0.5, 3.8, -0.6}, 45.0f)
+            .camera("main", {2.2, 2.7, 4.2}, {0.0, 0.2, -0.3})
+            .camera("left", {-3.9, 1.7, 2.4}, {-0.2, 0.3, -0.3})
+            .camera("top", {-0.8, 5.0, -2.2}, {0.0, 0.0, -0.1})
+            .finish(0.5f);
+    scene.lights[0].radius_m = 0.2f;
+    scene.lights[1].angle_rad = 0.08f;
+    scene.lights[2].radius_m = 0.25f;
+    Light& panel = scene.lights[3];
+    panel.type = LightType::Rect;
+    panel.size_m = {0.8f, 0.3f};
+    panel.intensity = 45.0f / (panel.size_m.x * panel.size_m.y);
+    panel.direction = glm::normalize(glm::vec3(-0.1f, -1.0f, 0.1f));
+    return scene;
+}
+
 }  // namespace ombrage::builtin

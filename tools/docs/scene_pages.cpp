@@ -83,7 +83,7 @@ std::string scenesPage(const fs::path& source) {
         "draws one. On the "
         "left the scene with its ray-traced shadows, on the right the first line of its table. Every scene has the "
         "cameras "
-        "`main`, `left` and `top`; all lights but that of `area-overlap` are hard.\n";
+        "`main`, `left` and `top`; all lights but those of `area-overlap` and `penumbrae` are hard.\n";
     for (const BuiltinScene& builtin : builtinScenes()) {
         const SceneExpectations expected = expectationsOf(source, builtin.name);
         text +=

@@ -137,7 +137,8 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
         localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
                                                         : glm::dvec4(m_key->position, 1.0));
     request.mirrored = instance.mirrored;
-    request.both = m_key->both[i];
+    request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
+    request.litOnly = m_key->options.casting == CastingSide::Lit;
     request.faces = m_key->options.faces;
     request.finite = m_key->options.distance_m.has_value();
     request.caps = m_key->caps[i];
@@ -300,7 +301,7 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
         if (program == nullptr || byGeometryShader) {
             program = &this->program(frame, VolumePart(part), look);
             program->set("u_toward", light.toward());
-            program->set("u_infinity", frame.view.orthographic ? kOrthographicInfinity : 0.0f);
+            program->set("u_infinity", infinity(frame.view));
             program->set("u_distance", look.distance_m.value_or(m_key->options.distance_m.value_or(0.0f)));
         }
         // Runs of chosen instances, a draw each.
@@ -322,6 +323,20 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
             i = std::max(end, i + 1);
         }
     }
+}
+
+float ShadowVolumes::infinity(const CameraView& view) {
+    return view.orthographic ? kOrthographicInfinity : 0.0f;
+}
+
+std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instance) const {
+    // Sides come first, in the instances' order.
+    const auto here = m_counts.begin() + std::ptrdiff_t(instance);
+    return {std::accumulate(m_counts.begin(), here, 0u), *here};
+}
+
+std::uint32_t ShadowVolumes::indicesPerSide() const {
+    return m_key->type != LightType::Sun || m_key->options.distance_m ? 6 : 3;
 }
 
 int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
@@ -346,8 +361,7 @@ void ShadowVolumes::readBackSizes() const {
     for (const gl::DrawElementsIndirect& command : commands) m_counts.push_back(command.count);
     std::size_t corners = 0;
     for (std::size_t i = 0; i < m_casters.size(); ++i) corners += m_counts[i];
-    const bool farEnds = m_key->type != LightType::Sun || m_key->options.distance_m;
-    m_edges = corners / (farEnds ? 6 : 3);
+    m_edges = corners / indicesPerSide();
 }
 
 void ShadowVolumes::report(FrameContext& frame) const {

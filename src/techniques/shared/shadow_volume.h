@@ -15,6 +15,7 @@
 namespace ombrage {
 
 class FrameContext;
+struct CameraView;
 struct GpuCaster;
 struct GpuTopology;
 struct LightFrame;
@@ -41,12 +42,18 @@ struct VolumeVertices {
 enum class VolumePart { Sides, LightCaps, DarkCaps, InwardLightCaps };
 inline constexpr std::size_t kVolumeParts = 4;
 
+/// Which triangles cast: those turned away from the light, where these are not enough all (see VolumeRequest::both); or
+/// one kind alone, which the processor finds.
+enum class CastingSide { Automatic, Away, Lit };
+
 struct ShadowVolumeOptions {
     VolumeFaces faces = VolumeFaces::Silhouette;
     SilhouetteSource source = SilhouetteSource::Cpu;
+    CastingSide casting = CastingSide::Automatic;
     std::optional<float> distance_m;  ///< where they end; endless without it
 
     explicit ShadowVolumeOptions(const VolumeParams& params);
+    explicit ShadowVolumeOptions(CastingSide side) : casting(side) {}
     ShadowVolumeOptions() = default;
     bool operator==(const ShadowVolumeOptions&) const = default;
 };
@@ -81,6 +88,19 @@ public:
 
     /// Instances that cast.
     const VolumeChoice& casters() const { return m_casters; }
+
+    /// w of points at infinity (shared/volume_ends.glsl).
+    static float infinity(const CameraView& view);
+
+    /// Where the indices of an instance's sides stand in indices(): the first of them, and how many. Of each side the
+    /// first two are the ends of its edge, the cap's interior to the left of the way from the second to the first, as
+    /// the light sees it. Known where the processor finds the silhouettes.
+    std::pair<std::uint32_t, std::uint32_t> sides(std::size_t instance) const;
+    const gl::Buffer& indices() const { return m_indices; }
+    std::uint32_t indicesPerSide() const;
+
+    /// The triangles turned away from the light are not enough for this instance.
+    bool needsBothSides(std::size_t instance) const { return m_key->both[instance]; }
 
     const ShadowVolumeOptions& options() const { return m_key->options; }
 

@@ -101,7 +101,7 @@ MeshTopology::MeshTopology(const Mesh& mesh) {
         for (; i < uses.size() && uses[i].edge == edge; ++i)
             ((uses[i].use & 1u) != 0 ? backward : forward).push_back(uses[i].use);
         addEdge({std::uint32_t(edge >> 32), std::uint32_t(edge)}, forward, backward);
-        m_closed = m_closed && forward.size() == backward.size();
+        m_openEdges += forward.size() != backward.size() ? 1 : 0;
     }
 
     // Rounded copies in whole blocks, the rest of the last one zero.
@@ -149,7 +149,7 @@ private:
         const std::size_t count = m_topology.triangleCount();
         m_weight.resize(count);
         const auto light = glm::vec4(m_request.light_local);
-        const std::int8_t facing = m_request.weightFacing();
+        const std::int8_t facing = m_request.weightFacing(), away = m_request.weightAway();
         const float *x = m_topology.m_roundedPlanes[0].data(), *y = m_topology.m_roundedPlanes[1].data(),
                     *z = m_topology.m_roundedPlanes[2].data(), *w = m_topology.m_roundedPlanes[3].data();
         const tbb::blocked_range<std::size_t> blocks(0, (count + kBlock - 1) / kBlock, kGrain / kBlock);
@@ -165,7 +165,7 @@ private:
                 }
                 for (std::size_t i = 0; i < std::min(kBlock, count - first); ++i)
                     m_weight[first + i] = side[i] > doubt[i]    ? facing
-                                          : side[i] < -doubt[i] ? std::int8_t(-1)
+                                          : side[i] < -doubt[i] ? away
                                                                 : m_request.weight(m_topology.m_planes[first + i]);
             }
         });

@@ -26,7 +26,9 @@ public:
     explicit MeshTopology(const Mesh& mesh);
 
     /// Every edge is used as often in one direction as in the other: the surface has an inside.
-    bool closed() const { return m_closed; }
+    bool closed() const { return m_openEdges == 0; }
+    /// Edges of which that is not so.
+    std::size_t openEdgeCount() const { return m_openEdges; }
     std::size_t triangleCount() const { return m_triangles.size(); }
     std::size_t edgeCount() const { return m_edgeCount; }
 
@@ -48,7 +50,7 @@ private:
     std::array<std::vector<float>, 4> m_roundedPlanes;   ///< x, y, z, w of the planes, to be read in fours
     std::vector<glm::uvec2> m_pairVertices, m_pairUses;  ///< as EdgePair; apart, because few vertices are looked at
     std::size_t m_edgeCount = 0;
-    bool m_closed = true;
+    std::size_t m_openEdges = 0;
 };
 
 /// Whose edges are extruded: every triangle's, those of the triangles that are enough (see VolumeRequest::both), or the
@@ -64,6 +66,8 @@ struct VolumeRequest {
     /// Both: every triangle, turned towards the light, casts. Else only those turned away from the light do, which is
     /// enough for closed meshes while neither the eye nor the light is inside.
     bool both = false;
+    /// In the place of those turned away, only the triangles that face the light cast.
+    bool litOnly = false;
     VolumeFaces faces = VolumeFaces::Silhouette;
     /// Sides end at a distance, so that even a sun's have four corners and a dark cap.
     bool finite = false;
@@ -75,9 +79,10 @@ struct VolumeRequest {
     bool hasFarEnds() const { return finite || light_local.w != 0.0; }
     /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
     std::int8_t weight(const glm::dvec4& plane) const {
-        return glm::dot(plane, light_local) > 0.0 ? weightFacing() : std::int8_t(-1);
+        return glm::dot(plane, light_local) > 0.0 ? weightFacing() : weightAway();
     }
-    std::int8_t weightFacing() const { return both || faces == VolumeFaces::All ? 1 : 0; }
+    std::int8_t weightFacing() const { return both || litOnly || faces == VolumeFaces::All ? 1 : 0; }
+    std::int8_t weightAway() const { return litOnly ? 0 : -1; }
 };
 
 /// Triangles of shadow volumes, three codes each: vertex * 2, plus 1 for that vertex at the far end. All but the inward
