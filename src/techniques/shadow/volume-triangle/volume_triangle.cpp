@@ -28,7 +28,7 @@ namespace {
 struct VolumeTriangleParams {
     RootSize root = RootSize::Auto;
     bool wholeNodes = true;
-    bool skipDark = true;
+    bool skipDark = false;
     bool cornerPlanes = true;
     int queue = 1 << 20;
 
