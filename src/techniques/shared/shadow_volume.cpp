@@ -267,9 +267,14 @@ const gl::Program& ShadowVolumes::program(FrameContext& frame, VolumePart part, 
     Defines defines = look.defines;
     if (look.distance_m || m_key->options.distance_m) defines.emplace_back("FINITE", "");
     if (look.ontoNearPlane) defines.emplace_back("ONTO_NEAR_PLANE", "");
+    if (look.tileBounds) defines.emplace_back("TILE_BOUNDS", "");
     const gl::ShaderStage fragment{GL_FRAGMENT_SHADER, look.fragmentPath};
-    if (m_key->options.source != SilhouetteSource::Geometry)
-        return frame.program({{GL_VERTEX_SHADER, "shared/shadow_volume.vert"}, fragment}, std::move(defines));
+    if (m_key->options.source != SilhouetteSource::Geometry) {
+        std::vector<gl::ShaderStage> stages{{GL_VERTEX_SHADER, "shared/shadow_volume.vert"}};
+        if (look.tileBounds) stages.push_back({GL_GEOMETRY_SHADER, "shared/volume_tile_bounds.geom"});
+        stages.push_back(fragment);
+        return frame.program(std::move(stages), std::move(defines));
+    }
     if (part == VolumePart::LightCaps || part == VolumePart::InwardLightCaps) {
         defines.emplace_back("PART", std::to_string(int(part)));
         return frame.program({{GL_VERTEX_SHADER, "shared/volume_caps.vert"}, fragment}, std::move(defines));

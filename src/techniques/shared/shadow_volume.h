@@ -56,6 +56,8 @@ struct VolumeLook {
     const char* fragmentPath = "shared/empty.frag";
     /// Onto the near plane as seen from the light, in place of the picture as seen from the eye.
     bool ontoNearPlane = false;
+    /// In the place of each triangle the tiles around it (shared/volume_tile_bounds.glsl), of ONTO_TILES pixels each.
+    bool tileBounds = false;
     std::optional<float> distance_m;                           ///< of the far ends, in the place of the volumes' own
     std::vector<std::pair<std::string, std::string>> defines;  ///< for the fragment shader
 };

@@ -3,6 +3,11 @@
 #define POSITION_TYPE vec4
 #include "ombrage/vertex.glsl"
 #include "shared/volume_ends.glsl"
+#ifdef TILE_BOUNDS
+out float v_isNear;
+#elif defined(ONTO_TILES)
+#include "shared/volume_tiles.glsl"
+#endif
 
 void main() {
     vec3 p_world = positionWorld(a_position.xyz);
@@ -10,5 +15,9 @@ void main() {
     gl_Position = clipFromPosition(frame.clipFromWorld, p);
 #ifdef ONTO_NEAR_PLANE
     gl_Position = ontoNearPlane(gl_Position);
+#elif defined(TILE_BOUNDS)
+    v_isNear = a_position.w;
+#elif defined(ONTO_TILES)
+    gl_Position = ontoTiles(gl_Position);
 #endif
 }

@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: MIT
 // What geometry shaders of volumes emit.
 #include "shared/volume_ends.glsl"
+#ifdef TILE_BOUNDS
+#include "shared/volume_tile_bounds.glsl"
+#elif defined(ONTO_TILES)
+#include "shared/volume_tiles.glsl"
+#endif
 
 in VertexData {
     vec3 p_world;
     flat uint caster;
 } v_in[];
 
-void emitNear(int i) {
-    gl_Position = gl_in[i].gl_Position;
+vec4 farCorner(int i) { return clipFromPosition(frame.clipFromWorld, farEnd(v_in[i].p_world)); }
+
+void emitCorner(vec4 clip) {
+    gl_Position = clip;
+#if defined(ONTO_TILES) && !defined(TILE_BOUNDS)
+    gl_Position = ontoTiles(clip);
+#endif
     EmitVertex();
 }
 
-void emitFar(int i) {
-    gl_Position = clipFromPosition(frame.clipFromWorld, farEnd(v_in[i].p_world));
-    EmitVertex();
-}
+void emitNear(int i) { emitCorner(gl_in[i].gl_Position); }
+
+void emitFar(int i) { emitCorner(farCorner(i)); }
