@@ -88,7 +88,8 @@ void ShadowVolumes::reset() {
     m_key.reset();
 }
 
-void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options) {
+void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
+                           const VolumeChoice& withCaps) {
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const auto& instances = frame.gpuScene->flat().instances;
     const bool isSun = light.light->type == LightType::Sun;
@@ -96,8 +97,12 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
     // Triangles turned away from the light are enough where every ray to the light enters the mesh as often as it
     // leaves it: a closed mesh with eye and light outside. Inside of its bounds, and for open meshes, all triangles
     // cast.
-    Key key{light.light->type, light.light->position, light.light->direction, options,
-            std::vector<bool>(instances.size())};
+    Key key{light.light->type,
+            light.light->position,
+            light.light->direction,
+            options,
+            VolumeChoice(instances.size()),
+            withCaps.empty() || options.distance_m ? VolumeChoice(instances.size(), true) : withCaps};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
                       frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m()) ||
@@ -135,6 +140,7 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
     request.both = m_key->both[i];
     request.faces = m_key->options.faces;
     request.finite = m_key->options.distance_m.has_value();
+    request.caps = m_key->caps[i];
     request.firstVertex = gpuScene.meshFirstVertex(instance.mesh);
     return request;
 }
@@ -205,7 +211,7 @@ void ShadowVolumes::buildOnGpu(FrameContext& frame) {
     };
     for (std::size_t i = 0; i < casters.size(); ++i) {
         const bool farEnds = (casters[i].flags & kCasterFarEnds) != 0;
-        const std::uint64_t caps = std::uint64_t(casters[i].triangles) * 3;
+        const std::uint64_t caps = m_key->caps[i] ? std::uint64_t(casters[i].triangles) * 3 : 0;
         reserve(VolumePart::Sides, i,
                 std::uint64_t(casters[i].pairs) * ((casters[i].flags & kCasterBoth) != 0 ? 2 : 1) * (farEnds ? 6 : 3));
         reserve(VolumePart::LightCaps, i, caps);
@@ -231,7 +237,7 @@ void ShadowVolumes::buildOnGpu(FrameContext& frame) {
         program.set("u_casters", unsigned(casters.size()));
         for (std::size_t i = 0; i < casters.size(); ++i) {
             const std::uint32_t threads = caps ? casters[i].triangles : casters[i].pairs;
-            if (threads == 0) continue;
+            if (threads == 0 || (caps && !m_key->caps[i])) continue;
             program.set("u_caster", unsigned(i));
             gl::dispatch(groups(threads), 1, 1);
         }

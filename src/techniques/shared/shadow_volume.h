@@ -70,7 +70,9 @@ using VolumeChoice = std::vector<bool>;
 class ShadowVolumes {
 public:
     /// Makes them anew when the light, the options or the side that the eye is on changed.
-    void update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options);
+    /// @param withCaps  the instances whose caps will be drawn; empty: all. Volumes that end have theirs in any case.
+    void update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
+                const VolumeChoice& withCaps = {});
 
     /// Forgets everything; call when the scene changed.
     void reset();
@@ -82,8 +84,7 @@ public:
     /// Instances that cast.
     const VolumeChoice& casters() const { return m_casters; }
 
-    /// Whether they end, at a distance.
-    bool end() const { return m_key->options.distance_m.has_value(); }
+    const ShadowVolumeOptions& options() const { return m_key->options; }
 
     /// How many of the chosen instances' volumes hold the point, in the space moved by the scene's origin.
     int around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
@@ -101,7 +102,7 @@ private:
         glm::dvec3 position;
         glm::vec3 direction;
         ShadowVolumeOptions options;
-        std::vector<bool> both;
+        VolumeChoice both, caps;
         bool operator==(const Key&) const = default;
     };
     VolumeRequest request(const GpuScene& scene, std::size_t instance) const;

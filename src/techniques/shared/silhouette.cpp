@@ -22,6 +22,11 @@ bool isFinite(const glm::vec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
+constexpr std::size_t kBlock = 16;  // triangles that are told apart together
+/// Bound on the error of a rounded plane at a rounded light, as a share of the summands' sizes: four products of two
+/// rounded factors and three sums, six times 2^-24.
+constexpr float kRounding = 6 * 0x1p-24f * 1.01f;
+
 /// Per vertex the first one at the same place. Equal means equal bits, but that -0 is 0.
 std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
     std::vector<std::uint32_t> order(positions.size());
@@ -86,34 +91,40 @@ MeshTopology::MeshTopology(const Mesh& mesh) {
     tbb::parallel_sort(uses.begin(), uses.end());
 
     // Equal edges are neighbours now. A closed surface runs through each as often forward as backward.
+    std::vector<std::uint32_t> forward, backward;
+    m_pairVertices.reserve(uses.size() / 2);
+    m_pairUses.reserve(uses.size() / 2);
     for (std::size_t i = 0; i < uses.size();) {
-        m_edges.emplace_back(std::uint32_t(uses[i].edge >> 32), std::uint32_t(uses[i].edge));
-        m_firstUse.push_back(std::uint32_t(m_uses.size()));
         const std::uint64_t edge = uses[i].edge;
-        int balance = 0;
-        for (; i < uses.size() && uses[i].edge == edge; ++i) {
-            m_uses.push_back(uses[i].use);
-            balance += (uses[i].use & 1u) != 0 ? -1 : 1;
-        }
-        m_closed = m_closed && balance == 0;
+        forward.clear();
+        backward.clear();
+        for (; i < uses.size() && uses[i].edge == edge; ++i)
+            ((uses[i].use & 1u) != 0 ? backward : forward).push_back(uses[i].use);
+        addEdge({std::uint32_t(edge >> 32), std::uint32_t(edge)}, forward, backward);
+        m_closed = m_closed && forward.size() == backward.size();
     }
-    m_firstUse.push_back(std::uint32_t(m_uses.size()));
+
+    // Rounded copies in whole blocks, the rest of the last one zero.
+    const std::size_t padded = (m_planes.size() + kBlock - 1) / kBlock * kBlock;
+    for (int k = 0; k < 4; ++k) {
+        m_roundedPlanes[std::size_t(k)].assign(padded, 0.0f);
+        for (std::size_t t = 0; t < m_planes.size(); ++t) m_roundedPlanes[std::size_t(k)][t] = float(m_planes[t][k]);
+    }
+}
+
+void MeshTopology::addEdge(const glm::uvec2& vertices, const std::vector<std::uint32_t>& forward,
+                           const std::vector<std::uint32_t>& backward) {
+    ++m_edgeCount;
+    for (std::size_t i = 0; i < std::max(forward.size(), backward.size()); ++i) {
+        m_pairVertices.push_back(vertices);
+        m_pairUses.emplace_back(i < forward.size() ? forward[i] : EdgePair::kNoUse,
+                                i < backward.size() ? backward[i] : EdgePair::kNoUse);
+    }
 }
 
 std::vector<EdgePair> MeshTopology::edgePairs() const {
-    std::vector<EdgePair> pairs;
-    pairs.reserve(m_edges.size());
-    std::vector<std::uint32_t> forward, backward;
-    for (std::size_t e = 0; e < m_edges.size(); ++e) {
-        forward.clear();
-        backward.clear();
-        for (std::uint32_t u = m_firstUse[e]; u < m_firstUse[e + 1]; ++u)
-            ((m_uses[u] & 1u) != 0 ? backward : forward).push_back(m_uses[u]);
-        for (std::size_t i = 0; i < std::max(forward.size(), backward.size()); ++i)
-            pairs.push_back({m_edges[e],
-                             {i < forward.size() ? forward[i] : EdgePair::kNoUse,
-                              i < backward.size() ? backward[i] : EdgePair::kNoUse}});
-    }
+    std::vector<EdgePair> pairs(m_pairUses.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {m_pairVertices[i], m_pairUses[i]};
     return pairs;
 }
 
@@ -129,15 +140,34 @@ public:
             appendSilhouetteSides(out);
         else
             appendTriangleSides(out);
-        appendCaps(out);
+        if (m_request.caps) appendCaps(out);
     }
 
 private:
+    /// In single precision where that is sure of the sign, in double where it is not.
     void classify() {
-        m_weight.resize(m_topology.triangleCount());
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, m_weight.size(), kGrain), [&](const auto& range) {
-            for (std::size_t t = range.begin(); t != range.end(); ++t)
-                m_weight[t] = m_request.weight(m_topology.m_planes[t]);
+        const std::size_t count = m_topology.triangleCount();
+        m_weight.resize(count);
+        const auto light = glm::vec4(m_request.light_local);
+        const std::int8_t facing = m_request.weightFacing();
+        const float *x = m_topology.m_roundedPlanes[0].data(), *y = m_topology.m_roundedPlanes[1].data(),
+                    *z = m_topology.m_roundedPlanes[2].data(), *w = m_topology.m_roundedPlanes[3].data();
+        const tbb::blocked_range<std::size_t> blocks(0, (count + kBlock - 1) / kBlock, kGrain / kBlock);
+        tbb::parallel_for(blocks, [&](const auto& range) {
+            for (std::size_t block = range.begin(); block != range.end(); ++block) {
+                const std::size_t first = block * kBlock;
+                float side[kBlock], doubt[kBlock];
+                for (std::size_t i = 0; i < kBlock; ++i) {
+                    const float px = x[first + i] * light.x, py = y[first + i] * light.y, pz = z[first + i] * light.z,
+                                pw = w[first + i] * light.w;
+                    side[i] = px + py + pz + pw;
+                    doubt[i] = kRounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw));
+                }
+                for (std::size_t i = 0; i < std::min(kBlock, count - first); ++i)
+                    m_weight[first + i] = side[i] > doubt[i]    ? facing
+                                          : side[i] < -doubt[i] ? std::int8_t(-1)
+                                                                : m_request.weight(m_topology.m_planes[first + i]);
+            }
         });
     }
 
@@ -156,18 +186,17 @@ private:
     /// One side per count: the signed sum over the casting triangles of how often they run through the edge (Bergeron
     /// 1986; Kim et al. 2008). Sides between two triangles that face alike cancel.
     void appendSilhouetteSides(VolumeTriangles& out) const {
-        const std::size_t edgeCount = m_topology.edgeCount(), chunks = (edgeCount + kGrain - 1) / kGrain;
+        const std::size_t pairs = m_topology.m_pairUses.size(), chunks = (pairs + kGrain - 1) / kGrain;
         std::vector<std::vector<std::uint32_t>> parts(chunks);
         std::vector<std::size_t> sides(chunks, 0);
         tbb::parallel_for(std::size_t(0), chunks, [&](std::size_t chunk) {
-            const std::size_t end = std::min(edgeCount, (chunk + 1) * kGrain);
+            const std::size_t end = std::min(pairs, (chunk + 1) * kGrain);
             for (std::size_t e = chunk * kGrain; e < end; ++e) {
-                int count = 0;
-                for (std::uint32_t u = m_topology.m_firstUse[e]; u < m_topology.m_firstUse[e + 1]; ++u) {
-                    const std::uint32_t use = m_topology.m_uses[u];
-                    count += (use & 1u) != 0 ? -m_weight[use >> 1] : m_weight[use >> 1];
-                }
-                glm::uvec2 edge = m_topology.m_edges[e];
+                const glm::uvec2 use = m_topology.m_pairUses[e];
+                int count = use.x != EdgePair::kNoUse ? m_weight[use.x >> 1] : 0;
+                if (use.y != EdgePair::kNoUse) count -= m_weight[use.y >> 1];
+                if (count == 0) continue;
+                glm::uvec2 edge = m_topology.m_pairVertices[e];
                 if (count < 0) std::swap(edge.x, edge.y);
                 sides[chunk] += std::size_t(std::abs(count));
                 for (int i = 0; i < std::abs(count); ++i) appendSide(edge.x, edge.y, parts[chunk]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,22 +28,26 @@ public:
     /// Every edge is used as often in one direction as in the other: the surface has an inside.
     bool closed() const { return m_closed; }
     std::size_t triangleCount() const { return m_triangles.size(); }
-    std::size_t edgeCount() const { return m_edges.size(); }
+    std::size_t edgeCount() const { return m_edgeCount; }
 
     /// The mesh's own vertices, in the mesh's order.
     const std::vector<glm::uvec3>& triangles() const { return m_triangles; }
     /// Per triangle: normal (not unit) and -normal . corner.
     const std::vector<glm::dvec4>& planes() const { return m_planes; }
+    /// The edges' pairs, one edge after the other.
     std::vector<EdgePair> edgePairs() const;
 
 private:
     friend class VolumeBuilder;
+    /// Joins the uses of one edge to pairs.
+    void addEdge(const glm::uvec2& vertices, const std::vector<std::uint32_t>& forward,
+                 const std::vector<std::uint32_t>& backward);
 
     std::vector<glm::uvec3> m_triangles;
-    std::vector<glm::uvec2> m_edges;        ///< one vertex pair per edge; its direction counts as forward
-    std::vector<std::uint32_t> m_firstUse;  ///< per edge, into m_uses; one more at the end
-    std::vector<std::uint32_t> m_uses;      ///< as EdgePair::uses
     std::vector<glm::dvec4> m_planes;
+    std::array<std::vector<float>, 4> m_roundedPlanes;   ///< x, y, z, w of the planes, to be read in fours
+    std::vector<glm::uvec2> m_pairVertices, m_pairUses;  ///< as EdgePair; apart, because few vertices are looked at
+    std::size_t m_edgeCount = 0;
     bool m_closed = true;
 };
 
@@ -62,6 +67,7 @@ struct VolumeRequest {
     VolumeFaces faces = VolumeFaces::Silhouette;
     /// Sides end at a distance, so that even a sun's have four corners and a dark cap.
     bool finite = false;
+    bool caps = true;
     /// Added to every vertex index.
     std::uint32_t firstVertex = 0;
 
@@ -69,9 +75,9 @@ struct VolumeRequest {
     bool hasFarEnds() const { return finite || light_local.w != 0.0; }
     /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
     std::int8_t weight(const glm::dvec4& plane) const {
-        const bool all = both || faces == VolumeFaces::All;
-        return glm::dot(plane, light_local) > 0.0 ? std::int8_t(all ? 1 : 0) : std::int8_t(-1);
+        return glm::dot(plane, light_local) > 0.0 ? weightFacing() : std::int8_t(-1);
     }
+    std::int8_t weightFacing() const { return both || faces == VolumeFaces::All ? 1 : 0; }
 };
 
 /// Triangles of shadow volumes, three codes each: vertex * 2, plus 1 for that vertex at the far end. All but the inward

@@ -23,7 +23,7 @@ VolumeCounter::VolumeCounter(FrameContext& frame, const LightFrame& light, const
 
 void VolumeCounter::begin(int atTheEye) const {
     m_target.bind();
-    m_target.clearStencil(atTheEye & int(kAllBits));
+    m_target.clearStencil(atTheEye & int(kAllBits & ~GLuint(m_maskBit)));
 }
 
 gl::DrawState VolumeCounter::state() const {
@@ -59,6 +59,22 @@ void VolumeCounter::draw(gl::DrawState state, VolumePart first, VolumePart last,
     }
 }
 
+void VolumeCounter::mark(const gl::Texture& mask) const {
+    m_target.bind();
+    gl::DrawState state;
+    state.stencilTest = true;
+    state.colorWrite = false;
+    for (StencilFace* face : {&state.stencilFront, &state.stencilBack}) {
+        face->reference = m_maskBit;
+        face->depthPass = GL_REPLACE;
+    }
+    state.stencilWriteMask = GLuint(m_maskBit);
+    gl::apply(state);
+    mask.bind(kFirstFreeUnit);
+    m_frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/volume_mask.frag"}});
+    m_frame.drawFullscreen();
+}
+
 void VolumeCounter::zPass(const VolumeChoice& chosen, bool clampDepth) const {
     if (m_region.empty) return;
     gl::DrawState state = this->state();
@@ -69,7 +85,7 @@ void VolumeCounter::zPass(const VolumeChoice& chosen, bool clampDepth) const {
     // The dark caps of endless volumes lie behind everything.
     m_target.bind();
     draw(state, VolumePart::Sides, VolumePart::Sides, chosen);
-    if (m_volumes.end()) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
+    if (m_volumes.options().distance_m) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
 }
 
 void VolumeCounter::zFail(const VolumeChoice& chosen) const {
@@ -101,8 +117,9 @@ void VolumeCounter::darken(const gl::Texture& visibility) const {
     target.bind();
     gl::DrawState state;
     state.stencilTest = true;
-    state.stencilFront.func = state.stencilBack.func = GL_NOTEQUAL;
-    state.stencilFront.readMask = state.stencilBack.readMask = kAllBits & ~GLuint(m_maskBit);
+    // The highest bit alone means that nothing holds the point.
+    state.stencilFront.func = state.stencilBack.func = m_maskBit != 0 ? GL_LESS : GL_NOTEQUAL;
+    state.stencilFront.reference = state.stencilBack.reference = m_maskBit;
     m_region.limit(state);
     state.depthBounds.reset();  // outside of them the count is that of the eye, and the light does not matter
     if (m_region.empty) return;

@@ -32,8 +32,11 @@ public:
     /// Visibility 0 where the count is not 0.
     void darken(const gl::Texture& visibility) const;
 
-    /// Only pixels whose stencil has this bit are counted; the count has the bits below.
-    void restrictTo(int bit) { m_maskBit = bit; }
+    /// Only pixels whose stencil has the highest bit are counted, in the bits below it; call before begin().
+    void restrictToMarked() { m_maskBit = 0x80; }
+
+    /// Sets that bit where the mask, one channel of the picture's size, is not 0; after begin().
+    void mark(const gl::Texture& mask) const;
 
 private:
     gl::DrawState state() const;

@@ -7,10 +7,10 @@
 
 namespace ombrage {
 
-VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
-                     const VolumeChoice& chosen, const gl::Texture* mask) {
-    const FrameContext::Uncounted aside(frame);
-    const gl::Texture count({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
+gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options) {
+    ShadowVolumes volumes;
+    volumes.update(frame, light, options);
+    gl::Texture count({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
     const gl::Framebuffer target({{&count}}, {}, "volume fill");
     target.bind();
     target.clearColor(0, glm::vec4(0));
@@ -18,9 +18,15 @@ VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowV
     state.blend = true;
     state.depthClamp = frame.view.orthographic;
     gl::apply(state);
-    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, chosen,
+    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, volumes.casters(),
                  {.fragmentPath = "shared/volume_one.frag"});
+    return count;
+}
 
+VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
+                     const gl::Texture* mask) {
+    const FrameContext::Uncounted aside(frame);
+    const gl::Texture count = drawFill(frame, light, options);
     const std::size_t pixels = std::size_t(frame.width) * std::size_t(frame.height);
     std::vector<float> fragments(pixels), weights(pixels, 1.0f);
     count.download(0, 0, GL_RED, GL_FLOAT, pixels * sizeof(float), fragments.data());

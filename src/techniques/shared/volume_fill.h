@@ -7,14 +7,17 @@ namespace ombrage {
 
 /// Fragments of volumes, which is what the stencil has to do.
 struct VolumeFill {
-    double all = 0;       ///< of everything that z-fail draws
-    double counted = 0;   ///< of those, at the pixels where the mask is not 0; all of them without a mask
+    double all = 0;      ///< of everything that z-fail draws
+    double counted = 0;  ///< of those, at the pixels where the mask is not 0; all of them without a mask
 };
 
-/// Draws the volumes of the chosen instances once more to count their fragments, and waits for it: only where
-/// FrameContext::countsSavings() says so. `mask` is a one-channel image of the picture's size.
-VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
-                     const VolumeChoice& chosen, const gl::Texture* mask = nullptr);
+/// How often everything that z-fail draws covers each pixel: R32F, of the picture's size.
+gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options);
+
+/// Adds that up, and waits for it: only where FrameContext::countsSavings() says so. `mask` is a one-channel image of
+/// the picture's size.
+VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
+                     const gl::Texture* mask = nullptr);
 
 /// Puts "fill of z-fail" and, of it, "fill saved" into the record.
 void reportFill(FrameContext& frame, const VolumeFill& fill);

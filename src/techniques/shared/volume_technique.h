@@ -16,7 +16,7 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(this->p()));
+        m_volumes.update(frame, light, ShadowVolumeOptions(this->p()), needsCaps(frame, light));
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
         count(frame, light, counter);
@@ -28,6 +28,9 @@ public:
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
 
 protected:
+    /// The instances whose caps count() draws; empty: all.
+    virtual VolumeChoice needsCaps(const FrameContext&, const LightFrame&) const { return {}; }
+
     /// Leaves in every pixel's stencil how many volumes hold its point.
     virtual void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) = 0;
 

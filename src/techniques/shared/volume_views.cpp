@@ -2,6 +2,7 @@
 #include "techniques/shared/volume_views.h"
 
 #include "render/frame_context.h"
+#include "techniques/shared/volume_fill.h"
 
 namespace ombrage {
 
@@ -63,35 +64,22 @@ void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes
     frame.expose(edgesOnly ? kSilhouette : kQuads, picture, ShowAs::Color);
 }
 
-void showFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes) {
-    const auto pass = frame.pass("show fill");
-    const gl::Texture count({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
-    const gl::Framebuffer target({{&count}}, {}, "volume fill");
-    target.bind();
-    target.clearColor(0, glm::vec4(0));
-    gl::DrawState state;
-    state.blend = true;
-    state.depthClamp = frame.view.orthographic;
-    gl::apply(state);
-    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, volumes.casters(),
-                 {.fragmentPath = "shared/volume_one.frag"});
-    frame.expose(kFill, count, ShowAs::Count);
-}
-
 }  // namespace
 
 std::vector<PassInfo> volumePasses() {
     return {{kStencil, "count of volumes that hold the visible surface"},
             {kQuads, "the volumes' sides, translucent, with their outlines"},
             {kSilhouette, "the edges that are extruded"},
-            {kFill, "triangles of volumes over each pixel"}};
+            {kFill, "triangles over each pixel that z-fail would draw"}};
 }
 
 void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes) {
     if (frame.wants(kStencil)) frame.expose(kStencil, frame.gbuffer->depth, ShowAs::Stencil);
     if (frame.wants(kQuads)) showQuads(frame, light, volumes, false);
     if (frame.wants(kSilhouette)) showQuads(frame, light, volumes, true);
-    if (frame.wants(kFill)) showFill(frame, light, volumes);
+    if (!frame.wants(kFill)) return;
+    const FrameContext::Uncounted aside(frame);
+    frame.expose(kFill, drawFill(frame, light, volumes.options()), ShowAs::Count);
 }
 
 }  // namespace ombrage

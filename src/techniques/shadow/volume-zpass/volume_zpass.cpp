@@ -11,6 +11,10 @@ struct VolumeZPassParams : VolumeParams {
 };
 
 class VolumeZPass final : public VolumeTechniqueOf<VolumeZPassParams> {
+    VolumeChoice needsCaps(const FrameContext& frame, const LightFrame&) const override {
+        return VolumeChoice(frame.gpuScene->flat().instances.size(), false);
+    }
+
     void count(FrameContext& frame, const LightFrame&, const VolumeCounter& counter) override {
         const auto pass = frame.pass("shadow volumes");
         counter.begin(0);

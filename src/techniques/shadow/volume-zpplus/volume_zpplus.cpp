@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // shadow/volume-zpplus: z-pass that starts from what the light sees of the near plane.
-#include "techniques/shared/near_clip.h"
+#include <algorithm>
+
+#include "techniques/shared/volume_split.h"
 #include "techniques/shared/volume_technique.h"
 
 namespace ombrage {
@@ -12,20 +14,18 @@ struct VolumeZPPlusParams : VolumeParams {
 };
 
 class VolumeZPPlus final : public VolumeTechniqueOf<VolumeZPPlusParams> {
+    /// Only casters between the near plane and the light can cover it.
+    VolumeChoice needsCaps(const FrameContext& frame, const LightFrame& light) const override {
+        return countedByZFail(frame, light, CountingMode::NearClip);
+    }
+
     void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) override {
         {
             const auto pass = frame.pass("near plane from the light");
             counter.begin(0);
-            // Only casters between the near plane and the light can cover it.
-            const NearClipVolume nearClip(frame.view, light.toward());
-            VolumeChoice before = volumes().casters();
-            int count = 0;
-            for (std::size_t i = 0; i < before.size(); ++i) {
-                const auto& [lower, upper] = frame.gpuScene->instanceBounds(i);
-                before[i] = before[i] && nearClip.touches(lower, upper);
-                count += before[i] ? 1 : 0;
-            }
-            frame.counter("casters before the near plane", count);
+            VolumeChoice before = needsCaps(frame, light);
+            for (std::size_t i = 0; i < before.size(); ++i) before[i] = before[i] && volumes().casters()[i];
+            frame.counter("casters before the near plane", double(std::count(before.begin(), before.end(), true)));
             counter.nearPlane(before);
         }
         const auto pass = frame.pass("shadow volumes");

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// shadow/volume-hybrid: a shadow map decides where it is sure, volumes where it is not.
+#include <algorithm>
+#include <vector>
+
+#include "render/technique.h"
+#include "techniques/shared/depth_pass.h"
+#include "techniques/shared/light_views.h"
+#include "techniques/shared/volume_fill.h"
+#include "techniques/shared/volume_split.h"
+#include "techniques/shared/volume_views.h"
+
+namespace ombrage {
+
+namespace {
+
+struct VolumeHybridParams : VolumeParams {
+    int resolution = 1024;
+    int radius = 1;
+    float margin_texels = 1.0f;
+    float maxSlope = 40.0f;
+    bool cache = true;
+
+    static ParamTable describe() {
+        using P = VolumeHybridParams;
+        return volumeTable(
+            {field(&P::resolution, "resolution", Unit::Texel)
+                 .range(16, 8192, Scale::Log)
+                 .tune(256, 4096)
+                 .effect(ParamEffect::Resize)
+                 .help(
+                     "Width and height of the map: finer, fewer pixels are left to the volumes and thinner casters are "
+                     "found."),
+             field(&P::radius, "radius", Unit::Texel)
+                 .range(1, 4)
+                 .effect(ParamEffect::Define)
+                 .help("How far around a point the map must be of one mind."),
+             field(&P::margin_texels, "margin", Unit::Texel)
+                 .range(0, 16)
+                 .tune(0, 4)
+                 .help(
+                     "How far before the surface the map's depth must lie to be surely dark; nearer, volumes decide."),
+             field(&P::maxSlope, "max-slope")
+                 .range(0, 100)
+                 .effect(ParamEffect::Define)
+                 .help("Steepest slope at which the receiver's plane is followed between texels."),
+             field(&P::cache, "cache")
+                 .effect(ParamEffect::Host)
+                 .help("Keeps the map while neither the light nor the casters changed.")});
+    }
+};
+
+class VolumeHybrid final : public ShadowTechniqueOf<VolumeHybridParams> {
+public:
+    void prepare(FrameContext&) override {
+        m_volumes.reset();
+        m_drawn.reset();
+    }
+
+    void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
+        m_volumes.report(frame);
+        drawMap(frame, light);
+        const gl::Texture& marked = *m_marked;
+        askMap(frame, visibility);
+
+        VolumeCounter counter(frame, light, m_volumes, p().twoSided);
+        counter.restrictToMarked();
+        const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp);
+        {
+            const auto pass = frame.pass("shadow volumes");
+            counter.begin(split.atTheEye);
+            counter.mark(marked);
+            split.count(counter);
+        }
+        if (frame.wants("hybrid-marked")) frame.expose("hybrid-marked", marked, ShowAs::Value);
+        showVolumes(frame, light, m_volumes);
+        {
+            const auto pass = frame.pass("shadow from stencil");
+            counter.darken(visibility);
+        }
+        if (frame.countsSavings()) countSavings(frame, light);
+    }
+
+    std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes() + (m_map ? gl::byteSize(m_map.desc()) : 0); }
+
+private:
+    void drawMap(FrameContext& frame, const LightFrame& light) {
+        LightViews views = makeLightViews(frame, light, LightFit::Scene);
+        if (p().cache && m_drawn && *m_drawn == views) return;
+        const gl::TextureDesc desc{.kind = views.views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
+                                   .format = GL_DEPTH_COMPONENT32F,
+                                   .width = p().resolution,
+                                   .height = p().resolution,
+                                   .layers = int(views.views.size())};
+        if (!m_map || m_map.desc() != desc) m_map = gl::Texture(desc, "hybrid map");
+        const auto pass = frame.pass("light depth");
+        drawLightDepth(frame, light, views, m_map, GL_NONE);
+        m_drawn = std::move(views);
+    }
+
+    /// Chan and Durand 2004, section 3: a pixel whose texels disagree may lie at a silhouette.
+    void askMap(FrameContext& frame, const gl::Texture& visibility) {
+        const auto pass = frame.pass("what the map knows");
+        const gl::TextureDesc desc{.format = GL_R8, .width = frame.width, .height = frame.height};
+        if (!m_marked || m_marked->desc() != desc) m_marked.emplace(desc, "hybrid marks");
+        const gl::Framebuffer target({{&visibility}, {&*m_marked}}, {&frame.gbuffer->depth}, "hybrid");
+        target.bind();
+        target.clearColor(1, glm::vec4(0));
+        frame.bindGBuffer();
+        m_map.bind(kFirstFreeUnit);
+        const gl::Program& program =
+            frame.fullscreenProgram(*this, "shadow/volume-hybrid/hybrid.frag", m_drawn->defines());
+        m_drawn->setUniforms(program);
+        frame.drawSurfaces();
+    }
+
+    void countSavings(FrameContext& frame, const LightFrame& light) {
+        reportFill(frame, countFill(frame, light, m_volumes.options(), &*m_marked));
+        std::vector<std::uint8_t> marks(std::size_t(frame.width) * std::size_t(frame.height));
+        m_marked->download(0, 0, GL_RED, GL_UNSIGNED_BYTE, marks.size(), marks.data());
+        frame.counter("pixels left to volumes",
+                      double(std::count_if(marks.begin(), marks.end(), [](auto m) { return m != 0; })));
+    }
+
+    ShadowVolumes m_volumes;
+    gl::Texture m_map;
+    std::optional<LightViews> m_drawn;  ///< what the map holds
+    std::optional<gl::Texture> m_marked;
+};
+
+std::vector<PassInfo> passes() {
+    std::vector<PassInfo> all = volumePasses();
+    all.insert(all.begin(), {"hybrid-marked", "pixels that the map leaves to the volumes"});
+    return all;
+}
+
+}  // namespace
+
+OMBRAGE_TECHNIQUE(
+    shadow, volume_hybrid, VolumeHybrid,
+    {.title = "Hybrid of shadow map and volumes",
+     .summary =
+         "A shadow map decides wherever all its texels about a point agree, and shadow volumes are counted in the "
+         "remaining pixels: sharp edges for a fraction of the fill.",
+     .papers = {"chan2004hybrid", "everitt2002volumes", "williams1978"},
+     .limits = "Casters and gaps that the map has no texel of are lost. Hard shadows of opaque triangles only.",
+     .domain = {.rect = false, .closedCastersOnly = true, .alphaTest = false},
+     .passes = passes(),
+     .needsStencil = true})
+
+}  // namespace ombrage
