@@ -45,6 +45,9 @@ struct ShadowVolumeOptions {
     VolumeFaces faces = VolumeFaces::Silhouette;
     SilhouetteSource source = SilhouetteSource::Cpu;
     std::optional<float> distance_m;  ///< where they end; endless without it
+    bool slabs = false;               ///< they begin and end where ShadowVolumes::setSlabs() says, in its place
+
+    bool end() const { return distance_m.has_value() || slabs; }
 
     explicit ShadowVolumeOptions(const VolumeParams& params);
     ShadowVolumeOptions() = default;
@@ -62,6 +65,13 @@ struct VolumeLook {
     std::vector<std::pair<std::string, std::string>> defines;  ///< for the fragment shader
 };
 
+/// What is left of an instance's volume: between two planes, dot(plane, (p, 1)) = 0, that look away from the light and
+/// have it before them. Zero: begins at the casting triangles; is endless.
+struct VolumeSlab {
+    glm::vec4 near{0.0f}, far{0.0f};
+    bool operator==(const VolumeSlab&) const = default;
+};
+
 /// Per instance, whether something is done with its volume.
 using VolumeChoice = std::vector<bool>;
 
@@ -74,6 +84,10 @@ public:
     void update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
                 const VolumeChoice& withCaps = {});
 
+    /// Where the volumes begin and end, of each instance; needed with ShadowVolumeOptions::slabs. What they consist of
+    /// stays as it is.
+    void setSlabs(const std::vector<VolumeSlab>& slabs);
+
     /// Forgets everything; call when the scene changed.
     void reset();
 
@@ -85,6 +99,9 @@ public:
     const VolumeChoice& casters() const { return m_casters; }
 
     const ShadowVolumeOptions& options() const { return m_key->options; }
+
+    /// The edges of an instance's mesh that bound its volume, as pairs of the mesh's vertices; found on the processor.
+    std::vector<glm::uvec2> silhouette(GpuScene& scene, std::size_t instance) const;
 
     /// How many of the chosen instances' volumes hold the point, in the space moved by the scene's origin.
     int around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
@@ -116,6 +133,7 @@ private:
     std::optional<Key> m_key;
     VolumeChoice m_casters;
     gl::Buffer m_indices, m_commands, m_casterData;  ///< commands: of each part, one per instance
+    gl::Buffer m_slabs;                              ///< VolumeSlab per instance
     gl::VertexArray m_vertices, m_capVertices;
     /// Indices of each command, where the processor knows them.
     mutable std::vector<std::uint32_t> m_counts;

@@ -11,7 +11,7 @@ out float v_isNear;
 
 void main() {
     vec3 p_world = positionWorld(a_position.xyz);
-    vec4 p = a_position.w == 0.0 ? farEnd(p_world) : vec4(p_world, 1.0);
+    vec4 p = a_position.w == 0.0 ? farEnd(p_world, a_instance) : nearEnd(p_world, a_instance);
     gl_Position = clipFromPosition(frame.clipFromWorld, p);
 #ifdef ONTO_NEAR_PLANE
     gl_Position = ontoNearPlane(gl_Position);

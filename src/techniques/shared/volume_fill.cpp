@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shared/volume_fill.h"
 
+#include <numeric>
 #include <vector>
 
 #include "render/frame_context.h"
@@ -10,6 +11,11 @@ namespace ombrage {
 gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options) {
     ShadowVolumes volumes;
     volumes.update(frame, light, options);
+    return drawFill(frame, light, volumes, volumes.casters());
+}
+
+gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
+                     const VolumeChoice& chosen) {
     gl::Texture count({.format = GL_R32F, .width = frame.width, .height = frame.height}, "volume fill");
     const gl::Framebuffer target({{&count}}, {}, "volume fill");
     target.bind();
@@ -18,9 +24,16 @@ gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowV
     state.blend = true;
     state.depthClamp = frame.view.orthographic;
     gl::apply(state);
-    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, volumes.casters(),
+    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, chosen,
                  {.fragmentPath = "shared/volume_one.frag"});
     return count;
+}
+
+double sumOfFill(const gl::Texture& fill) {
+    const std::size_t pixels = std::size_t(fill.width()) * std::size_t(fill.height());
+    std::vector<float> fragments(pixels);
+    fill.download(0, 0, GL_RED, GL_FLOAT, pixels * sizeof(float), fragments.data());
+    return std::accumulate(fragments.begin(), fragments.end(), 0.0);
 }
 
 VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,

@@ -12,7 +12,7 @@ in VertexData {
     flat uint caster;
 } v_in[];
 
-vec4 farCorner(int i) { return clipFromPosition(frame.clipFromWorld, farEnd(v_in[i].p_world)); }
+vec4 farCorner(int i) { return clipFromPosition(frame.clipFromWorld, farEnd(v_in[i].p_world, v_in[i].caster)); }
 
 void emitCorner(vec4 clip) {
     gl_Position = clip;

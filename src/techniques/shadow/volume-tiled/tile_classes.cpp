@@ -56,7 +56,8 @@ void TileClasses::findBoundary(const VolumeChoice& chosen) {
     const VolumeLook look{
         .fragmentPath = "shadow/volume-tiled/tile_marks.frag", .tileBounds = true, .defines = tileDefines()};
     m_volumes.draw(m_frame, m_light, VolumePart::Sides, VolumePart::Sides, chosen, look);
-    if (m_volumes.end()) m_volumes.draw(m_frame, m_light, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen, look);
+    if (m_volumes.options().end())
+        m_volumes.draw(m_frame, m_light, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen, look);
 }
 
 void TileClasses::classify(const VolumeChoice& chosen, int atTheEye) {
@@ -76,7 +77,8 @@ void TileClasses::classify(const VolumeChoice& chosen, int atTheEye) {
         gl::apply(state);
         const VolumeLook look{.defines = tileDefines()};
         m_volumes.draw(m_frame, m_light, VolumePart::Sides, VolumePart::Sides, chosen, look);
-        if (m_volumes.end()) m_volumes.draw(m_frame, m_light, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen, look);
+        if (m_volumes.options().end())
+            m_volumes.draw(m_frame, m_light, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen, look);
     }
     const gl::Framebuffer target({{m_classes.get()}}, {m_depth.get()}, "tile classes");
     target.bind();

@@ -2,6 +2,7 @@
 // shadow/volume-tiled: stencil shadow volumes counted once per tile, and per pixel only where their boundary passes.
 #include "render/technique.h"
 #include "techniques/shadow/volume-tiled/tile_classes.h"
+#include "techniques/shared/eye_contact.h"
 #include "techniques/shared/volume_counter.h"
 #include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_views.h"
@@ -13,8 +14,9 @@ namespace {
 constexpr const char* kTilesPass = "volume-tiles";
 constexpr const char* kStencilPass = "volume-stencil";
 
-/// The stencil's bit for pixels that are counted one by one; the count has the bits below.
-constexpr int kBoundaryBit = 0x80, kCountBits = 0x7f;
+/// The stencil's bit for pixels that VolumeCounter counts; the count has the bits below.
+constexpr int kMarked = 0x80;
+constexpr unsigned kAllBits = 0xff;
 
 struct VolumeTiledParams : VolumeParams {
     static ParamTable describe() { return volumeTable(); }
@@ -26,33 +28,16 @@ std::vector<PassInfo> tiledPasses() {
     return passes;
 }
 
-/// Whether a triangle of the instance may pass before the near plane, where the picture does not show it.
-bool touchesEye(const FrameContext& frame, std::size_t instance) {
-    const glm::vec3& eye = frame.view.eye;
-    const float reach_m = frame.view.nearReach_m();
-    if (!frame.gpuScene->isWithin(instance, eye, reach_m)) return false;
-    const FlatScene& flat = frame.gpuScene->flat();
-    const FlatInstance& range = flat.instances[instance];
-    for (std::uint32_t t = 0; t < range.triangleCount; ++t) {
-        const glm::uvec3& v = flat.triangles[range.firstTriangle + t];
-        const glm::vec3 &a = flat.positions[v.x], &b = flat.positions[v.y], &c = flat.positions[v.z];
-        // In its bounds, and not far from its plane.
-        const glm::vec3 lower = glm::min(a, glm::min(b, c)) - reach_m, upper = glm::max(a, glm::max(b, c)) + reach_m;
-        if (glm::any(glm::lessThan(eye, lower)) || glm::any(glm::greaterThan(eye, upper))) continue;
-        const glm::vec3 normal = glm::cross(b - a, c - a);
-        if (std::abs(glm::dot(normal, eye - a)) <= reach_m * glm::length(normal)) return true;
-    }
-    return false;
-}
-
 class VolumeTiled final : public ShadowTechniqueOf<VolumeTiledParams> {
 public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(p()));
+        const bool tiled = inTiles(frame);
+        const VolumeChoice withCaps(frame.gpuScene->flat().instances.size(), !tiled);
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), withCaps);
         m_volumes.report(frame);
-        if (inTiles(frame))
+        if (tiled)
             renderTiles(frame, light, visibility);
         else
             renderWhole(frame, light, visibility);
@@ -65,8 +50,9 @@ private:
     /// Z-pass from the eye is what tiles are counted by: not for casters that touch it, nor for orthographic cameras.
     bool inTiles(const FrameContext& frame) const {
         if (frame.view.orthographic) return false;
-        for (std::size_t i = 0; i < m_volumes.casters().size(); ++i)
-            if (m_volumes.casters()[i] && touchesEye(frame, i)) return false;
+        const auto& instances = frame.gpuScene->flat().instances;
+        for (std::size_t i = 0; i < instances.size(); ++i)
+            if (instances[i].casts && touchesEye(frame, i)) return false;
         return true;
     }
 
@@ -81,10 +67,7 @@ private:
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
         }
-        if (frame.countsSavings()) {
-            const VolumeFill fill = countFill(frame, light, m_volumes, m_volumes.casters());
-            reportFill(frame, fill);
-        }
+        if (frame.countsSavings()) reportFill(frame, countFill(frame, light, m_volumes.options()));
         if (frame.wants(kTilesPass)) {
             // All of it is counted.
             gl::Texture red({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "tiles shown");
@@ -104,17 +87,15 @@ private:
         tiles.classify(casters, atTheEye);
 
         VolumeCounter counter(frame, light, m_volumes, p().twoSided);
-        {
-            const auto pass = frame.pass("tiles into stencil");
-            counter.begin(0);
-            tiles.stencil(false, 1, kCountBits);
-            tiles.stencil(true, kBoundaryBit | (atTheEye & kCountBits), kBoundaryBit | kCountBits);
-        }
+        counter.restrictToMarked();
         {
             // Step 3: pixel by pixel, only there.
             const auto pass = frame.pass("shadow volumes");
-            counter.restrictTo(kBoundaryBit);
+            counter.begin(0);
+            tiles.stencil(true, kMarked | (atTheEye & ~kMarked), kAllBits);
             counter.zPass(casters, true);
+            // Dark tiles become pixels that one volume holds.
+            tiles.stencil(false, kMarked | 1, kAllBits);
         }
         {
             const auto pass = frame.pass("shadow from stencil");
@@ -123,14 +104,15 @@ private:
 
         if (frame.countsSavings()) {
             const gl::Texture mask = tiles.boundaryMask();
-            reportFill(frame, countFill(frame, light, m_volumes, casters, &mask));
+            reportFill(frame, countFill(frame, light, m_volumes.options(), &mask));
             tiles.report();
         }
         if (frame.wants(kTilesPass)) frame.expose(kTilesPass, tiles.picture(), ShowAs::Color);
         if (frame.wants(kStencilPass)) {
+            // The count alone, to look at.
             const gl::Framebuffer target({}, {&frame.gbuffer->depth}, "shadow volumes");
             target.bind();
-            tiles.stencil(true, 0, kBoundaryBit);
+            for (const bool boundary : {true, false}) tiles.stencil(boundary, 0, kMarked);
         }
     }
 
