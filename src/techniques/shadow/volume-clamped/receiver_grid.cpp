@@ -15,8 +15,6 @@ constexpr float kAngleMargin_rad = 1e-3f;
 /// Boxes that fill more of a point light's view have no axis to measure along.
 constexpr float kWidestCone_rad = 1.3f;
 
-constexpr std::uint32_t kEmpty = 0xffffffffu;
-
 std::array<glm::vec3, 8> cornersOf(const glm::vec3& lower, const glm::vec3& upper) {
     std::array<glm::vec3, 8> corners;
     for (int c = 0; c < 8; ++c)

@@ -53,9 +53,10 @@ public:
     struct Range {
         float nearest_m, farthest_m;
     };
+    static constexpr std::uint32_t kEmpty = 0xffffffffu;  ///< the nearest distance's bits in a cell without receivers
 
-    /// @param cells  of each face GRID x GRID: the bits of the nearest and of the farthest distance; nearest 0xffffffff
-    ///               where there is none
+    /// @param cells  of each face cellsAcross x cellsAcross: the bits of the nearest and of the farthest distance as
+    ///               floats, or kEmpty
     ReceiverGrid(const LightRays& rays, int cellsAcross, std::vector<glm::uvec2> cells);
 
     /// What receivers there may be in the box's shadow, or in the box: distances along its axis, no less far apart than
@@ -64,7 +65,7 @@ public:
     /// The farthest of them from the light itself.
     float farthestOf(const BoxSight& box) const;
 
-    /// The farthest distance of each cell, 0 where there is none, faces side by side.
+    /// As given.
     const std::vector<glm::uvec2>& cells() const { return m_cells; }
 
 private:

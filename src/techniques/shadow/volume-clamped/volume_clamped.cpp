@@ -21,6 +21,7 @@ constexpr const char* kReceiversPass = "volume-receivers";
 /// Of a distance and of the scene's diagonal, by which volumes reach beyond receivers: positions are rounded.
 constexpr float kMargin = 1e-4f;
 
+constexpr int kShownWidth = 768;  // pixels, of the picture of the grid
 constexpr unsigned kCellStorage = 11;
 constexpr int kBlock = 64;  // pixels along an edge of a work group's share, of receiver_grid.comp
 
@@ -125,7 +126,8 @@ private:
                                         glm::vec3(scene.bounds().upper - scene.origin()))
                      : LightRays::from(light.position);
 
-        std::vector<glm::uvec2> cells(std::size_t(m_rays.faces() * p().grid * p().grid), glm::uvec2(0xffffffffu, 0u));
+        std::vector<glm::uvec2> cells(std::size_t(m_rays.faces() * p().grid * p().grid),
+                                      glm::uvec2(ReceiverGrid::kEmpty, 0u));
         m_cells = gl::Buffer::from(cells, "receiver grid");
         m_cells.bindStorage(kCellStorage);
         frame.bindGBuffer();
@@ -211,16 +213,18 @@ private:
     }
 
     void showReceivers(FrameContext& frame) const {
-        const int grid = p().grid, faces = m_rays.faces();
-        std::vector<float> farthest(m_grid->cells().size());
-        for (std::size_t c = 0; c < farthest.size(); ++c) {
-            const auto cell = int(c);
-            const int face = cell / (grid * grid), y = cell / grid % grid, x = cell % grid;
-            const glm::uvec2 bits = m_grid->cells()[c];
-            farthest[std::size_t((y * faces + face) * grid + x)] =
-                bits.x == 0xffffffffu ? 0.0f : std::bit_cast<float>(bits.y);
-        }
-        gl::Texture image({.format = GL_R32F, .width = grid * faces, .height = grid}, "receiver grid");
+        // Cells as squares, faces side by side.
+        const int grid = p().grid, faces = m_rays.faces(), side = std::max(1, kShownWidth / (grid * faces));
+        const int width = grid * faces * side, height = grid * side;
+        std::vector<float> farthest;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const int column = x / side, face = column / grid;
+                const int cell = (face * grid + y / side) * grid + column % grid;
+                const glm::uvec2 bits = m_grid->cells()[std::size_t(cell)];
+                farthest.push_back(bits.x == ReceiverGrid::kEmpty ? 0.0f : std::bit_cast<float>(bits.y));
+            }
+        gl::Texture image({.format = GL_R32F, .width = width, .height = height}, "receiver grid");
         image.upload(0, GL_RED, GL_FLOAT, farthest.data());
         frame.expose(kReceiversPass, image, ShowAs::Count);
     }
