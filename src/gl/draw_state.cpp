@@ -90,12 +90,16 @@ void beginFrameState() {
 }
 
 void drawFullscreen() {
+    drawVertices(3);
+}
+
+void drawVertices(std::size_t count) {
     // Vertex arrays belong to one context, and a process may have several: a fresh one per draw costs about a
     // microsecond.
     GLuint empty = 0;
     glCreateVertexArrays(1, &empty);
     glBindVertexArray(empty);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDrawArrays(GL_TRIANGLES, 0, GLsizei(count));
     glDeleteVertexArrays(1, &empty);
 }
 

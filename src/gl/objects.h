@@ -212,6 +212,9 @@ void beginFrameState();
 /// One triangle that covers the viewport; binds its own empty vertex array. The program is already in use.
 void drawFullscreen();
 
+/// Triangles that a vertex shader makes of gl_VertexID alone; otherwise as drawFullscreen().
+void drawVertices(std::size_t count);
+
 struct DrawElementsIndirect {
     std::uint32_t count, instanceCount, firstIndex;
     std::int32_t baseVertex;

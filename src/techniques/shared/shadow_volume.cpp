@@ -84,6 +84,14 @@ ShadowVolumeOptions::ShadowVolumeOptions(const VolumeParams& params)
     if (params.extrude == VolumeExtrusion::Distance) distance_m = params.distance_m;
 }
 
+void ShadowVolumes::setSlabs(const std::vector<VolumeSlab>& slabs) {
+    const std::size_t bytes = slabs.size() * sizeof(VolumeSlab);
+    if (m_slabs.size() < bytes)
+        m_slabs = gl::Buffer::from(slabs, "shadow volume slabs");
+    else
+        m_slabs.upload(0, bytes, slabs.data());
+}
+
 void ShadowVolumes::reset() {
     m_key.reset();
 }
@@ -102,7 +110,7 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
             light.light->direction,
             options,
             VolumeChoice(instances.size()),
-            withCaps.empty() || options.distance_m ? VolumeChoice(instances.size(), true) : withCaps};
+            withCaps.empty() || options.end() ? VolumeChoice(instances.size(), true) : withCaps};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
                       frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m()) ||
@@ -140,7 +148,7 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
     request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
     request.litOnly = m_key->options.casting == CastingSide::Lit;
     request.faces = m_key->options.faces;
-    request.finite = m_key->options.distance_m.has_value();
+    request.finite = m_key->options.end();
     request.caps = m_key->caps[i];
     request.firstVertex = gpuScene.meshFirstVertex(instance.mesh);
     return request;
@@ -272,11 +280,19 @@ void ShadowVolumes::prepareGeometryShader(FrameContext& frame) {
 
 const gl::Program& ShadowVolumes::program(FrameContext& frame, VolumePart part, const VolumeLook& look) const {
     Defines defines = look.defines;
-    if (look.distance_m || m_key->options.distance_m) defines.emplace_back("FINITE", "");
+    if (look.distance_m || m_key->options.distance_m)
+        defines.emplace_back("FINITE", "");
+    else if (m_key->options.slabs)
+        defines.emplace_back("SLABS", "");
     if (look.ontoNearPlane) defines.emplace_back("ONTO_NEAR_PLANE", "");
+    if (look.tileBounds) defines.emplace_back("TILE_BOUNDS", "");
     const gl::ShaderStage fragment{GL_FRAGMENT_SHADER, look.fragmentPath};
-    if (m_key->options.source != SilhouetteSource::Geometry)
-        return frame.program({{GL_VERTEX_SHADER, "shared/shadow_volume.vert"}, fragment}, std::move(defines));
+    if (m_key->options.source != SilhouetteSource::Geometry) {
+        std::vector<gl::ShaderStage> stages{{GL_VERTEX_SHADER, "shared/shadow_volume.vert"}};
+        if (look.tileBounds) stages.push_back({GL_GEOMETRY_SHADER, "shared/volume_tile_bounds.geom"});
+        stages.push_back(fragment);
+        return frame.program(std::move(stages), std::move(defines));
+    }
     if (part == VolumePart::LightCaps || part == VolumePart::InwardLightCaps) {
         defines.emplace_back("PART", std::to_string(int(part)));
         return frame.program({{GL_VERTEX_SHADER, "shared/volume_caps.vert"}, fragment}, std::move(defines));
@@ -296,6 +312,7 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
         topology.pairs.bindStorage(kPairStorage);
         topology.planes.bindStorage(kPlaneStorage);
     }
+    if (m_key->options.slabs) m_slabs.bindStorage(kSlabStorage);
     const gl::Program* program = nullptr;
     for (auto part = std::size_t(first); part <= std::size_t(last); ++part) {
         if (program == nullptr || byGeometryShader) {
@@ -336,7 +353,22 @@ std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instanc
 }
 
 std::uint32_t ShadowVolumes::indicesPerSide() const {
-    return m_key->type != LightType::Sun || m_key->options.distance_m ? 6 : 3;
+    return m_key->type != LightType::Sun || m_key->options.end() ? 6 : 3;
+}
+
+std::vector<glm::uvec2> ShadowVolumes::silhouette(GpuScene& gpuScene, std::size_t i) const {
+    VolumeRequest request = this->request(gpuScene, i);
+    request.faces = VolumeFaces::Silhouette;
+    request.finite = true;
+    request.caps = false;
+    request.firstVertex = 0;
+    VolumeTriangles volume;
+    appendVolume(gpuScene.derived<SceneTopology>().mesh(gpuScene.flat().instances[i].mesh), request, volume);
+    // Two triangles a side; the first begins with the edge.
+    std::vector<glm::uvec2> edges;
+    for (std::size_t s = 0; s + 5 < volume.sides.size(); s += 6)
+        edges.emplace_back(volume.sides[s] >> 1, volume.sides[s + 1] >> 1);
+    return edges;
 }
 
 int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
@@ -374,7 +406,7 @@ void ShadowVolumes::report(FrameContext& frame) const {
 }
 
 std::uint64_t ShadowVolumes::gpuBytes() const {
-    return m_indices.size() + m_commands.size() + m_casterData.size();
+    return m_indices.size() + m_commands.size() + m_casterData.size() + m_slabs.size();
 }
 
 }  // namespace ombrage

@@ -51,6 +51,9 @@ struct ShadowVolumeOptions {
     SilhouetteSource source = SilhouetteSource::Cpu;
     CastingSide casting = CastingSide::Automatic;
     std::optional<float> distance_m;  ///< where they end; endless without it
+    bool slabs = false;               ///< they begin and end where ShadowVolumes::setSlabs() says, in its place
+
+    bool end() const { return distance_m.has_value() || slabs; }
 
     explicit ShadowVolumeOptions(const VolumeParams& params);
     explicit ShadowVolumeOptions(CastingSide side) : casting(side) {}
@@ -63,8 +66,17 @@ struct VolumeLook {
     const char* fragmentPath = "shared/empty.frag";
     /// Onto the near plane as seen from the light, in place of the picture as seen from the eye.
     bool ontoNearPlane = false;
+    /// In the place of each triangle the tiles around it (shared/volume_tile_bounds.glsl), of ONTO_TILES pixels each.
+    bool tileBounds = false;
     std::optional<float> distance_m;                           ///< of the far ends, in the place of the volumes' own
     std::vector<std::pair<std::string, std::string>> defines;  ///< for the fragment shader
+};
+
+/// What is left of an instance's volume: between two planes, dot(plane, (p, 1)) = 0, that look away from the light and
+/// have it before them. Zero: begins at the casting triangles; is endless.
+struct VolumeSlab {
+    glm::vec4 near{0.0f}, far{0.0f};
+    bool operator==(const VolumeSlab&) const = default;
 };
 
 /// Per instance, whether something is done with its volume.
@@ -78,6 +90,10 @@ public:
     /// @param withCaps  the instances whose caps will be drawn; empty: all. Volumes that end have theirs in any case.
     void update(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
                 const VolumeChoice& withCaps = {});
+
+    /// Where the volumes begin and end, of each instance; needed with ShadowVolumeOptions::slabs. What they consist of
+    /// stays as it is.
+    void setSlabs(const std::vector<VolumeSlab>& slabs);
 
     /// Forgets everything; call when the scene changed.
     void reset();
@@ -103,6 +119,9 @@ public:
     bool needsBothSides(std::size_t instance) const { return m_key->both[instance]; }
 
     const ShadowVolumeOptions& options() const { return m_key->options; }
+
+    /// The edges of an instance's mesh that bound its volume, as pairs of the mesh's vertices; found on the processor.
+    std::vector<glm::uvec2> silhouette(GpuScene& scene, std::size_t instance) const;
 
     /// How many of the chosen instances' volumes hold the point, in the space moved by the scene's origin.
     int around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,
@@ -134,6 +153,7 @@ private:
     std::optional<Key> m_key;
     VolumeChoice m_casters;
     gl::Buffer m_indices, m_commands, m_casterData;  ///< commands: of each part, one per instance
+    gl::Buffer m_slabs;                              ///< VolumeSlab per instance
     gl::VertexArray m_vertices, m_capVertices;
     /// Indices of each command, where the processor knows them.
     mutable std::vector<std::uint32_t> m_counts;

@@ -4,6 +4,11 @@
 #define POSITION_TYPE vec4
 #include "ombrage/vertex.glsl"
 #include "shared/volume_ends.glsl"
+#ifdef TILE_BOUNDS
+out float v_isNear;
+#elif defined(ONTO_TILES)
+#include "shared/volume_tiles.glsl"
+#endif
 
 #ifdef EXTRUSION
 out float v_extrusion;
@@ -14,9 +19,13 @@ void main() {
     v_extrusion = a_position.w == 0.0 ? 1.0 : 0.0;
 #endif
     vec3 p_world = positionWorld(a_position.xyz);
-    vec4 p = a_position.w == 0.0 ? farEnd(p_world) : vec4(p_world, 1.0);
+    vec4 p = a_position.w == 0.0 ? farEnd(p_world, a_instance) : nearEnd(p_world, a_instance);
     gl_Position = clipFromPosition(frame.clipFromWorld, p);
 #ifdef ONTO_NEAR_PLANE
     gl_Position = ontoNearPlane(gl_Position);
+#elif defined(TILE_BOUNDS)
+    v_isNear = a_position.w;
+#elif defined(ONTO_TILES)
+    gl_Position = ontoTiles(gl_Position);
 #endif
 }

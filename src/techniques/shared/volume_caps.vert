@@ -6,7 +6,7 @@
 #include "shared/volume_ends.glsl"
 
 void main() {
-    gl_Position = clipFromPosition(frame.clipFromWorld, vec4(positionWorld(a_position), 1.0));
+    gl_Position = clipFromPosition(frame.clipFromWorld, nearEnd(positionWorld(a_position), a_instance));
 #ifdef ONTO_NEAR_PLANE
     gl_Position = ontoNearPlane(gl_Position);
 #endif

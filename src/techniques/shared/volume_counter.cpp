@@ -104,7 +104,20 @@ void VolumeCounter::zPass(const VolumeChoice& chosen, bool clampDepth) const {
     // The dark caps of endless volumes lie behind everything.
     m_target.bind();
     draw(state, VolumePart::Sides, VolumePart::Sides, chosen);
-    if (m_volumes.options().distance_m) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
+    if (m_volumes.options().end()) draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
+}
+
+void VolumeCounter::zPassLightCaps(const VolumeChoice& chosen, bool clampDepth) const {
+    if (m_region.empty) return;
+    gl::DrawState state = this->state();
+    state.depthClamp = clampDepth;
+    m_target.bind();
+    for (const VolumePart part : {VolumePart::LightCaps, VolumePart::InwardLightCaps}) {
+        const bool outwards = part == VolumePart::LightCaps;
+        state.stencilFront.depthPass = outwards ? GL_INCR_WRAP : GL_DECR_WRAP;
+        state.stencilBack.depthPass = outwards ? GL_DECR_WRAP : GL_INCR_WRAP;
+        draw(state, part, part, chosen);
+    }
 }
 
 void VolumeCounter::zFail(const VolumeChoice& chosen) const {

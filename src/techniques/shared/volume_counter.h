@@ -21,6 +21,9 @@ public:
     /// the near plane cuts nothing, and counting starts at the eye.
     void zPass(const VolumeChoice& chosen, bool clampDepth) const;
 
+    /// Light caps by z-pass, of volumes that begin apart from their casters (VolumeSlab::near).
+    void zPassLightCaps(const VolumeChoice& chosen, bool clampDepth) const;
+
     /// Everitt and Kilgard 2002, section 3.3: faces behind the surface, +1 where a volume is left and -1 where it is
     /// entered. Needs the caps.
     void zFail(const VolumeChoice& chosen) const;

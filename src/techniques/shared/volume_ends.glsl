@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the corners of shadow volumes are. FINITE: volumes end after u_distance. ONTO_NEAR_PLANE: light caps as the light
+// Where the corners of shadow volumes are. FINITE: volumes end after u_distance. SLABS: they lie between two planes each. ONTO_NEAR_PLANE: light caps as the light
 // casts them onto the near plane.
 #include "ombrage/clip.glsl"
 #include "ombrage/frame.glsl"
@@ -8,7 +8,28 @@ uniform vec4 u_toward;      // towards the light: (position, 1), or (direction t
 uniform float u_infinity;   // w of points at infinity: 0; above 0 for orthographic cameras, which cannot show them
 uniform float u_distance;   // metres
 
-vec4 farEnd(vec3 p_world) {
+#ifdef SLABS
+struct Slab { vec4 near, far; };   // planes; zero: none
+layout(std430, binding = 10) readonly buffer Slabs { Slab b_slabs[]; };   // one per instance
+
+// Where the light's ray through p meets a plane (Blinn 1988); homogeneous.
+vec4 ontoPlane(vec4 plane, vec3 p_world) {
+    vec4 p = vec4(p_world, 1.0);
+    return dot(plane, p) * u_toward - dot(plane, u_toward) * p;
+}
+#endif
+
+vec4 nearEnd(vec3 p_world, uint caster) {
+#ifdef SLABS
+    if (b_slabs[caster].near != vec4(0.0)) return ontoPlane(b_slabs[caster].near, p_world);
+#endif
+    return vec4(p_world, 1.0);
+}
+
+vec4 farEnd(vec3 p_world, uint caster) {
+#ifdef SLABS
+    if (b_slabs[caster].far != vec4(0.0)) return ontoPlane(b_slabs[caster].far, p_world);
+#endif
     // Everitt and Kilgard 2002, section 5.1: V * L.w - L, at infinity along the ray from the light.
     vec3 away = p_world * u_toward.w - u_toward.xyz;
 #ifdef FINITE

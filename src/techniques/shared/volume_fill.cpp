@@ -33,6 +33,11 @@ double sumOf(const gl::Texture& fill) {
 gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options) {
     ShadowVolumes volumes;
     volumes.update(frame, light, options);
+    return drawFill(frame, light, volumes, volumes.casters());
+}
+
+gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
+                     const VolumeChoice& chosen) {
     gl::Texture count = emptyFill(frame);
     const gl::Framebuffer target({{&count}}, {}, "volume fill");
     target.bind();
@@ -40,7 +45,7 @@ gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowV
     state.blend = true;
     state.depthClamp = frame.view.orthographic;
     gl::apply(state);
-    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, volumes.casters(),
+    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, chosen,
                  {.fragmentPath = "shared/volume_one.frag"});
     return count;
 }

@@ -18,6 +18,10 @@ double sumOf(const gl::Texture& fill);
 /// How often everything that z-fail draws covers each pixel: R32F, of the picture's size.
 gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options);
 
+/// The same of the chosen instances' volumes as they are.
+gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
+                     const VolumeChoice& chosen);
+
 /// Adds that up, and waits for it: only where FrameContext::countsSavings() says so. `mask` is a one-channel image of
 /// the picture's size.
 VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What geometry shaders of volumes emit.
 #include "shared/volume_ends.glsl"
+#ifdef TILE_BOUNDS
+#include "shared/volume_tile_bounds.glsl"
+#elif defined(ONTO_TILES)
+#include "shared/volume_tiles.glsl"
+#endif
 
 in VertexData {
     vec3 p_world;
@@ -11,18 +16,19 @@ in VertexData {
 out float v_extrusion;   // as in shared/shadow_volume.vert
 #endif
 
-void emitNear(int i) {
+vec4 farCorner(int i) { return clipFromPosition(frame.clipFromWorld, farEnd(v_in[i].p_world, v_in[i].caster)); }
+
+void emitCorner(vec4 clip, float extrusion) {
 #ifdef EXTRUSION
-    v_extrusion = 0.0;
+    v_extrusion = extrusion;
 #endif
-    gl_Position = gl_in[i].gl_Position;
+    gl_Position = clip;
+#if defined(ONTO_TILES) && !defined(TILE_BOUNDS)
+    gl_Position = ontoTiles(clip);
+#endif
     EmitVertex();
 }
 
-void emitFar(int i) {
-#ifdef EXTRUSION
-    v_extrusion = 1.0;
-#endif
-    gl_Position = clipFromPosition(frame.clipFromWorld, farEnd(v_in[i].p_world));
-    EmitVertex();
-}
+void emitNear(int i) { emitCorner(gl_in[i].gl_Position, 0.0); }
+
+void emitFar(int i) { emitCorner(farCorner(i), 1.0); }

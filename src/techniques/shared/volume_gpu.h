@@ -36,8 +36,8 @@ struct GpuCaster {
 };
 inline constexpr std::uint32_t kCasterBoth = 1, kCasterMirrored = 2, kCasterFarEnds = 4;
 
-/// Storage buffer bindings of shared/volume_edges.glsl.
+/// Storage buffer bindings of shared/volume_edges.glsl and shared/volume_ends.glsl.
 inline constexpr unsigned kCasterStorage = 3, kPairStorage = 4, kPlaneStorage = 5, kTriangleVertexStorage = 6,
-                          kVolumeCommandStorage = 8, kVolumeIndexStorage = 9;
+                          kVolumeCommandStorage = 8, kVolumeIndexStorage = 9, kSlabStorage = 10;
 
 }  // namespace ombrage

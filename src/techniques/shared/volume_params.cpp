@@ -3,9 +3,12 @@
 
 namespace ombrage {
 
-ParamTable volumeTable(const std::vector<ParamField>& own) {
-    using P = VolumeParams;
-    std::vector<ParamField> all{
+namespace {
+
+using P = VolumeParams;
+
+std::vector<ParamField> silhouetteFields() {
+    return {
         field(&P::faces, "faces")
             .effect(ParamEffect::Host)
             .help("Extrude every triangle, the casting triangles, or their silhouette: the same picture for less and "
@@ -14,6 +17,11 @@ ParamTable volumeTable(const std::vector<ParamField>& own) {
             .effect(ParamEffect::Host)
             .help("Who finds the silhouette: the processor, a geometry shader in every frame, or a compute shader that "
                   "appends to an indirect draw. With other faces than silhouette always the processor."),
+    };
+}
+
+std::vector<ParamField> endFields() {
+    return {
         field(&P::extrude, "extrude")
             .effect(ParamEffect::Host)
             .help("Volumes reach to infinity, or end after a distance, which loses the shadow beyond it."),
@@ -21,13 +29,29 @@ ParamTable volumeTable(const std::vector<ParamField>& own) {
             .range(0.01, 100000, Scale::Log)
             .effect(ParamEffect::Host)
             .help("Length of the volumes with extrude=distance."),
+    };
+}
+
+ParamTable joined(std::vector<ParamField> all, const std::vector<ParamField>& own) {
+    all.push_back(
         field(&P::twoSided, "two-sided")
             .effect(ParamEffect::Host)
             .help("One pass that counts front and back faces at once, instead of one pass each; the picture is the "
-                  "same."),
-    };
+                  "same."));
     all.insert(all.end(), own.begin(), own.end());
     return ParamTable(std::move(all));
+}
+
+}  // namespace
+
+ParamTable volumeTable(const std::vector<ParamField>& own) {
+    std::vector<ParamField> fields = silhouetteFields();
+    for (const ParamField& end : endFields()) fields.push_back(end);
+    return joined(std::move(fields), own);
+}
+
+ParamTable volumeTableWithoutEnds(const std::vector<ParamField>& own) {
+    return joined(silhouetteFields(), own);
 }
 
 }  // namespace ombrage

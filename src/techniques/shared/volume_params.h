@@ -40,5 +40,7 @@ struct VolumeParams {
 
 /// Their declarations, joined with those of the technique.
 ParamTable volumeTable(const std::vector<ParamField>& own = {});
+/// The same without `extrude` and `distance`, for techniques that decide where volumes end.
+ParamTable volumeTableWithoutEnds(const std::vector<ParamField>& own = {});
 
 }  // namespace ombrage

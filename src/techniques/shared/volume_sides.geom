@@ -14,6 +14,11 @@ void main() {
     // The side below the edge from a to b of a cap that is counter-clockwise seen from the light runs from b to a.
     bool turned = (count < 0) != ((b_casters[caster].flags & CASTER_MIRRORED) != 0u);
     int a = turned ? 1 : 0, b = 1 - a;
+#ifdef TILE_BOUNDS
+    emitTileBounds(gl_in[b].gl_Position, gl_in[a].gl_Position, farCorner(a), true);
+    if ((b_casters[caster].flags & CASTER_FAR_ENDS) != 0u)
+        emitTileBounds(gl_in[b].gl_Position, farCorner(a), farCorner(b), false);
+#else
     for (int i = 0; i < abs(count); ++i) {
         emitNear(b);
         emitNear(a);
@@ -21,4 +26,5 @@ void main() {
         emitFar(a);
         EndPrimitive();
     }
+#endif
 }

@@ -39,7 +39,8 @@ gl::DrawState overlay() {
     return state;
 }
 
-void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, bool edgesOnly) {
+void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, const VolumeChoice& chosen,
+               bool edgesOnly) {
     const auto pass = frame.pass(edgesOnly ? "show silhouettes" : "show volumes");
     const gl::Texture picture = backdrop(frame);
     const gl::Framebuffer target({{&picture}}, {&frame.gbuffer->depth}, "volume view");
@@ -48,18 +49,18 @@ void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes
     gl::apply(state);
     VolumeLook look{.fragmentPath = kTintPath};
     if (!edgesOnly) {
-        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, volumes.casters(), look);
+        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
         state.wireframe = true;
         gl::apply(state);
         look.defines = {{"OUTLINE", ""}};
-        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, volumes.casters(), look);
+        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
     } else {
         // Sides cut short, seen through everything.
         state.depthTest = false;
         gl::apply(state);
         look.defines = {{"OUTLINE", ""}};
         look.distance_m = kFin * glm::length(frame.gpuScene->casterUpper() - frame.gpuScene->casterLower());
-        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, volumes.casters(), look);
+        volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
     }
     frame.expose(edgesOnly ? kSilhouette : kQuads, picture, ShowAs::Color);
 }
@@ -74,12 +75,19 @@ std::vector<PassInfo> volumePasses() {
 }
 
 void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes) {
+    showVolumes(frame, light, volumes, volumes.casters());
+}
+
+void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
+                 const VolumeChoice& chosen) {
     if (frame.wants(kStencil)) frame.expose(kStencil, frame.gbuffer->depth, ShowAs::Stencil);
-    if (frame.wants(kQuads)) showQuads(frame, light, volumes, false);
-    if (frame.wants(kSilhouette)) showQuads(frame, light, volumes, true);
+    if (frame.wants(kQuads)) showQuads(frame, light, volumes, chosen, false);
+    if (frame.wants(kSilhouette)) showQuads(frame, light, volumes, chosen, true);
     if (!frame.wants(kFill)) return;
     const FrameContext::Uncounted aside(frame);
-    frame.expose(kFill, drawFill(frame, light, volumes.options()), ShowAs::Count);
+    ShadowVolumeOptions endless = volumes.options();
+    endless.slabs = false;
+    frame.expose(kFill, drawFill(frame, light, endless), ShowAs::Count);
 }
 
 }  // namespace ombrage

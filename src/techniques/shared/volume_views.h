@@ -13,6 +13,8 @@ namespace ombrage {
 std::vector<PassInfo> volumePasses();
 
 /// Exposes those that somebody wants. The stencil plane holds the count.
+void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
+                 const VolumeChoice& chosen);
 void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes);
 
 }  // namespace ombrage

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: MIT
+// shadow/volume-clamped: stencil shadow volumes of the casters that matter, as long as somebody sees their shadow.
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "render/technique.h"
+#include "techniques/shadow/volume-clamped/receiver_grid.h"
+#include "techniques/shadow/volume-clamped/shadowed_casters.h"
+#include "techniques/shared/eye_contact.h"
+#include "techniques/shared/volume_counter.h"
+#include "techniques/shared/volume_fill.h"
+#include "techniques/shared/volume_views.h"
+
+namespace ombrage {
+
+namespace {
+
+constexpr const char* kReceiversPass = "volume-receivers";
+
+/// Of a distance and of the scene's diagonal, by which volumes reach beyond receivers: positions are rounded.
+constexpr float kMargin = 1e-4f;
+
+constexpr int kShownWidth = 768;  // pixels, of the picture of the grid
+constexpr unsigned kCellStorage = 11;
+constexpr int kBlock = 64;  // pixels along an edge of a work group's share, of receiver_grid.comp
+
+struct VolumeClampedParams : VolumeParams {
+    int grid = 16;
+    bool cull = true;
+    bool clamp = true;
+
+    static ParamTable describe() {
+        using P = VolumeClampedParams;
+        return volumeTableWithoutEnds(
+            {field(&P::grid, "grid")
+                 .range(1, 128, Scale::Log)
+                 .effect(ParamEffect::Host)
+                 .help(
+                     "Cells along an edge of the grid over the light's rays that holds the visible receivers (of each "
+                     "of six for a point light): tighter volumes for more work on the processor."),
+             field(&P::cull, "cull")
+                 .effect(ParamEffect::Host)
+                 .help("Leave out casters in the shadow of others and those whose shadow falls on nothing visible."),
+             field(&P::clamp, "clamp")
+                 .effect(ParamEffect::Host)
+                 .help("Let volumes begin at the first visible receiver in their way and end behind the last.")});
+    }
+};
+
+std::vector<PassInfo> clampedPasses() {
+    std::vector<PassInfo> passes = volumePasses();
+    passes.push_back(
+        {kReceiversPass, "distance from the light of the farthest visible receiver in each cell of the grid"});
+    return passes;
+}
+
+class VolumeClamped final : public ShadowTechniqueOf<VolumeClampedParams> {
+public:
+    void prepare(FrameContext&) override {
+        m_volumes.reset();
+        m_seen.reset();
+        m_plan.reset();
+    }
+
+    void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
+        ShadowVolumeOptions options(p());
+        options.slabs = true;
+        m_volumes.update(frame, light, options);
+        m_volumes.report(frame);
+        findReceivers(frame, light);
+        plan(frame, light);
+
+        const VolumeCounter counter(frame, light, m_volumes, p().twoSided);
+        {
+            const auto pass = frame.pass("shadow volumes");
+            const bool clampDepth = !frame.view.orthographic;
+            counter.begin(m_plan->atTheEye);
+            counter.zPass(m_plan->zPass, clampDepth);
+            counter.zPassLightCaps(m_plan->beginApart, clampDepth);
+            counter.zFail(m_plan->zFail);
+        }
+        showVolumes(frame, light, m_volumes, m_plan->kept);
+        if (frame.wants(kReceiversPass)) showReceivers(frame);
+        {
+            const auto pass = frame.pass("shadow from stencil");
+            counter.darken(visibility);
+        }
+        report(frame, light);
+    }
+
+    std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes() + m_cells.size(); }
+
+private:
+    /// What the receivers depend on, beside the scene.
+    struct Seen {
+        glm::mat4 clipFromWorld;
+        glm::ivec2 size;
+        glm::vec4 toward;
+        float range_m;
+        int grid;
+        bool operator==(const Seen&) const = default;
+    };
+
+    /// What is drawn, and how.
+    struct Plan {
+        bool cull = false, clamp = false;
+        VolumeChoice kept, zPass, zFail, beginApart;
+        std::vector<VolumeSlab> slabs;
+        int atTheEye = 0;
+        int shadowed = 0, withoutReceivers = 0, clamped = 0, apart = 0;
+    };
+
+    /// Lloyd et al. 2004, section 4: what of each cell of the light's rays the camera sees. Waits for the GPU.
+    void findReceivers(FrameContext& frame, const LightFrame& light) {
+        Seen seen{
+            frame.view.clipFromWorld, {frame.width, frame.height}, light.toward(), light.light->range_m, p().grid};
+        if (m_seen && *m_seen == seen) return;
+        m_seen = seen;
+        m_plan.reset();
+        const auto pass = frame.pass("receivers");
+        const GpuScene& scene = *frame.gpuScene;
+        m_rays = light.light->type == LightType::Sun
+                     ? LightRays::ofSun(light.direction, lightTangent(*light.light),
+                                        glm::vec3(scene.bounds().lower - scene.origin()),
+                                        glm::vec3(scene.bounds().upper - scene.origin()))
+                     : LightRays::from(light.position);
+
+        std::vector<glm::uvec2> cells(std::size_t(m_rays.faces() * p().grid * p().grid),
+                                      glm::uvec2(ReceiverGrid::kEmpty, 0u));
+        m_cells = gl::Buffer::from(cells, "receiver grid");
+        m_cells.bindStorage(kCellStorage);
+        frame.bindGBuffer();
+        const gl::Program& program = frame.program({{GL_COMPUTE_SHADER, "shadow/volume-clamped/receiver_grid.comp"}},
+                                                   {{"GRID", std::to_string(p().grid)}});
+        program.set("u_toward", light.toward());
+        program.set("u_right", m_rays.right);
+        program.set("u_up", m_rays.up);
+        program.set("u_lower", m_rays.corner);
+        program.set("u_cellsPerMetre", float(p().grid) / m_rays.size);
+        program.set("u_start", m_rays.start_m);
+        gl::dispatch((frame.width + kBlock - 1) / kBlock, (frame.height + kBlock - 1) / kBlock, 1);
+        gl::barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        m_cells.download(0, cells.size() * sizeof cells[0], cells.data());
+        m_grid.emplace(m_rays, p().grid, std::move(cells));
+    }
+
+    /// Decides caster by caster; what is kept of the volumes is closed.
+    void plan(FrameContext& frame, const LightFrame& light) {
+        if (m_plan && m_plan->cull == p().cull && m_plan->clamp == p().clamp) {
+            m_volumes.setSlabs(m_plan->slabs);
+            return;
+        }
+        const TraceScope trace("cull and clamp");
+        const GpuScene& scene = *frame.gpuScene;
+        const VolumeChoice& casters = m_volumes.casters();
+        Plan made;
+        made.cull = p().cull;
+        made.clamp = p().clamp;
+        made.kept = casters;
+        made.slabs.resize(casters.size());
+        made.zPass = made.zFail = made.beginApart = VolumeChoice(casters.size());
+        VolumeChoice aroundEye(casters.size());
+
+        const VolumeChoice shadowed =
+            p().cull ? shadowedCasters(frame, light, m_volumes, m_rays) : VolumeChoice(casters.size());
+        const float diagonal_m = float(glm::length(scene.bounds().upper - scene.bounds().lower));
+        for (std::size_t i = 0; i < casters.size(); ++i) {
+            if (!casters[i]) continue;
+            const auto& [lower, upper] = scene.instanceBounds(i);
+            const std::optional<BoxSight> box = m_rays.sight(lower, upper);
+            // Nobody sees what lies behind it.
+            const float margin_m = kMargin * (diagonal_m + (box ? box->farthest_m : 0.0f));
+            const bool useless = p().cull && box && m_grid->farthestOf(*box) < box->closest_m - margin_m;
+            made.shadowed += shadowed[i] ? 1 : 0;
+            made.withoutReceivers += useless && !shadowed[i] ? 1 : 0;
+            made.kept[i] = !shadowed[i] && !useless;
+            if (!made.kept[i]) continue;
+
+            const bool byZFail = frame.view.orthographic || touchesEye(frame, i);
+            (byZFail ? made.zFail : made.zPass)[i] = true;
+            bool holdsEye = true;
+            if (p().clamp && box) {
+                made.clamped += 1;
+                made.slabs[i] = clampedSlab(frame, *box, margin_m, holdsEye);
+                made.apart += made.slabs[i].near != glm::vec4(0.0f) ? 1 : 0;
+                made.beginApart[i] = !byZFail && made.slabs[i].near != glm::vec4(0.0f);
+            }
+            aroundEye[i] = !byZFail && holdsEye;
+        }
+        made.atTheEye = m_volumes.around(frame, light, frame.view.eye, aroundEye);
+        m_volumes.setSlabs(made.slabs);
+        m_plan = std::move(made);
+    }
+
+    /// The slab that holds all receivers in the caster's way. @param holdsEye whether the eye lies in it
+    VolumeSlab clampedSlab(const FrameContext& frame, const BoxSight& box, float margin_m, bool& holdsEye) const {
+        const auto receivers = m_grid->receiversOf(box);
+        const float eye_m = m_rays.along(box.axis, frame.view.eye), reach_m = frame.view.nearReach_m() + margin_m;
+        VolumeSlab slab;
+        // It never ends within the caster, which would turn it inside out, nor at the eye.
+        float end_m = std::max(receivers ? receivers->farthest_m : box.farthest_m, box.farthest_m) + margin_m;
+        if (std::abs(eye_m - end_m) <= reach_m) end_m = eye_m + 2 * reach_m;
+        slab.far = m_rays.plane(box.axis, end_m);
+        holdsEye = eye_m < end_m;
+
+        const float begin_m = (receivers ? receivers->nearest_m : 0.0f) - margin_m;
+        if (begin_m > box.farthest_m + margin_m && std::abs(eye_m - begin_m) > reach_m) {
+            slab.near = m_rays.plane(box.axis, begin_m);
+            holdsEye = holdsEye && eye_m > begin_m;
+        }
+        return slab;
+    }
+
+    void showReceivers(FrameContext& frame) const {
+        // Cells as squares, faces side by side.
+        const int grid = p().grid, faces = m_rays.faces(), side = std::max(1, kShownWidth / (grid * faces));
+        const int width = grid * faces * side, height = grid * side;
+        std::vector<float> farthest;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const int column = x / side, face = column / grid;
+                const int cell = (face * grid + y / side) * grid + column % grid;
+                const glm::uvec2 bits = m_grid->cells()[std::size_t(cell)];
+                farthest.push_back(bits.x == ReceiverGrid::kEmpty ? 0.0f : std::bit_cast<float>(bits.y));
+            }
+        gl::Texture image({.format = GL_R32F, .width = width, .height = height}, "receiver grid");
+        image.upload(0, GL_RED, GL_FLOAT, farthest.data());
+        frame.expose(kReceiversPass, image, ShowAs::Count);
+    }
+
+    void report(FrameContext& frame, const LightFrame& light) const {
+        frame.counter("casters culled in shadow", m_plan->shadowed);
+        frame.counter("casters culled without receivers", m_plan->withoutReceivers);
+        frame.counter("casters clamped", m_plan->clamped);
+        frame.counter("of those at both ends", m_plan->apart);
+        frame.counter("volumes around the eye", m_plan->atTheEye);
+        if (!frame.countsSavings()) return;
+        ShadowVolumeOptions endless = m_volumes.options();
+        endless.slabs = false;
+        VolumeFill fill = countFill(frame, light, endless);
+        const FrameContext::Uncounted aside(frame);
+        fill.counted = sumOf(drawFill(frame, light, m_volumes, m_plan->kept));
+        reportFill(frame, fill);
+    }
+
+    ShadowVolumes m_volumes;
+    LightRays m_rays;
+    gl::Buffer m_cells;
+    std::optional<Seen> m_seen;
+    std::optional<ReceiverGrid> m_grid;
+    std::optional<Plan> m_plan;
+};
+
+}  // namespace
+
+OMBRAGE_TECHNIQUE(
+    shadow, volume_clamped, VolumeClamped,
+    {.title = "Shadow volumes, culled and clamped",
+     .summary = "Stencil shadow volumes that leave out casters whose shadow nobody sees or that lie in another's, and "
+                "that reach from the first visible receiver in their way to the last.",
+     .papers = {"lloyd2004ccvolumes", "blinn1988me", "crow1977", "kim2008volumes"},
+     .limits = "The receivers are read back, one wait per light in frames in which camera, light or scene moved. Hard "
+               "shadows of opaque triangles only: holes of alpha-tested casters are filled.",
+     .domain = {.rect = false, .closedCastersOnly = true, .alphaTest = false},
+     .passes = clampedPasses(),
+     .needsStencil = true})
+
+}  // namespace ombrage

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+#include <ombrage/compare.h>
+
+#include "techniques/technique_case.h"
+
+namespace ombrage::test {
+namespace {
+
+RenderResult shadowOf(const std::string& scene, const std::string& technique) {
+    Bench& bench = Bench::of(scene);
+    RenderSettings settings;
+    settings.width = 320;
+    settings.height = 180;
+    settings.light = bench.scene().lights.front().name;
+    settings.shadow = parseTechnique(technique).second;
+    return renderScene(bench.scene(), settings);
+}
+
+/// Each of the two steps saves by itself, and both together more.
+TEST(VolumeClamped, SavesByCullingAndByClamping) {
+    const auto saved = [](const char* technique) {
+        return shadowOf("many-lights", technique).counters.at("fill saved");
+    };
+    const double nothing = saved("shadow/volume-clamped:cull=off,clamp=off"),
+                 culled = saved("shadow/volume-clamped:clamp=off"), clamped = saved("shadow/volume-clamped:cull=off"),
+                 both = saved("shadow/volume-clamped");
+    EXPECT_EQ(nothing, 0);
+    EXPECT_GT(culled, 0);
+    EXPECT_GT(clamped, 0);
+    EXPECT_GT(both, culled);
+    EXPECT_GT(both, clamped);
+}
+
+TEST(VolumeClamped, LeavesOutWhatLiesInTheShadowOfARoof) {
+    // The roof of in-shadow covers the box under it wholly, and the column and the others in part.
+    const auto counters = shadowOf("in-shadow", "shadow/volume-clamped").counters;
+    EXPECT_EQ(counters.at("casters culled in shadow"), 1);
+    EXPECT_EQ(counters.at("casters clamped"), 5);
+    EXPECT_EQ(shadowOf("in-shadow", "shadow/volume-clamped:cull=off").counters.at("casters culled in shadow"), 0);
+}
+
+/// Casters above the eye whose lit side nobody sees begin to shade at the first thing under them.
+TEST(VolumeClamped, BeginsVolumesAtTheFirstReceiver) {
+    EXPECT_GE(shadowOf("behind", "shadow/volume-clamped").counters.at("of those at both ends"), 1);
+}
+
+}  // namespace
+}  // namespace ombrage::test
