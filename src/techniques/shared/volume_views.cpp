@@ -50,12 +50,14 @@ void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes
     VolumeLook look{.fragmentPath = kTintPath};
     if (!edgesOnly) {
         volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
+        state.blend = false;
         state.wireframe = true;
         gl::apply(state);
         look.defines = {{"OUTLINE", ""}};
         volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
     } else {
         // Sides cut short, seen through everything.
+        state.blend = false;
         state.depthTest = false;
         gl::apply(state);
         look.defines = {{"OUTLINE", ""}};
