@@ -92,4 +92,13 @@ void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolum
     frame.expose(kFill, drawFill(frame, light, endless), ShowAs::Count);
 }
 
+void showNothing(FrameContext& frame, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+        if (!frame.wants(name)) continue;
+        const gl::Texture nothing({.format = GL_R32F, .width = frame.width, .height = frame.height}, "nothing to show");
+        gl::Framebuffer({{&nothing}}, {}, "nothing to show").clearColor(0, glm::vec4(0));
+        frame.expose(name, nothing, ShowAs::Count);
+    }
+}
+
 }  // namespace ombrage

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <initializer_list>
 #include <vector>
 
 #include <ombrage/technique.h>
@@ -16,5 +17,8 @@ std::vector<PassInfo> volumePasses();
 void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
                  const VolumeChoice& chosen);
 void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes);
+
+/// Exposes empty pictures in the place of those that a hard light has nothing to show in.
+void showNothing(FrameContext& frame, std::initializer_list<const char*> names);
 
 }  // namespace ombrage

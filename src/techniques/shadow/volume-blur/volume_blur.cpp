@@ -100,6 +100,8 @@ public:
         if (byContact ? !light.light->hasSize() || p().size == 0.0f : p().width == 0.0f) {
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
+            if (frame.wants(kHard)) frame.expose(kHard, visibility, ShowAs::Value);
+            showNothing(frame, {kContact, kWidth});
             return;
         }
 

@@ -239,8 +239,10 @@ private:
         ShadowVolumeOptions endless = m_volumes.options();
         endless.slabs = false;
         VolumeFill fill = countFill(frame, light, endless);
-        const FrameContext::Uncounted aside(frame);
-        fill.counted = sumOf(drawFill(frame, light, m_volumes, m_plan->kept));
+        {
+            const FrameContext::Uncounted aside(frame);
+            fill.counted = sumOf(drawFill(frame, light, m_volumes, m_plan->kept));
+        }
         reportFill(frame, fill);
     }
 

@@ -74,6 +74,7 @@ public:
             const VolumeCounter counter(frame, light, m_away, true);
             count(frame, counter, m_away.casters());
             showVolumes(frame, light, m_away);
+            showNothing(frame, {kCoverage, kOverlap});
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
             return;
