@@ -106,6 +106,17 @@ TEST(ExactShadows, OrthographicCamera) {
     }
 }
 
+TEST(ExactShadows, OrthographicNearPlaneThatCutsTheFloor) {
+    // The rays of the lower rows start below the floor, which is thus clipped where it crosses the near plane.
+    Scene scene = loadScene("in-shadow");
+    Camera& camera = scene.cameras[0];
+    camera.position = {0.1, 0.6, 3.1};
+    camera.target = {0, 0.4, 0};
+    camera.orthoHeight_m = 3.0f;
+    expectExact(scene, "volume-zfail", kVolumeBudget);
+    expectExact(scene, "volume", kVolumeBudget);
+}
+
 TEST(ExactShadows, ModelsThatCastNothingOrThatTheLightExcludes) {
     Scene scene = loadScene("in-shadow");
     scene.models[1].casts = false;

@@ -126,10 +126,19 @@ void VolumeCounter::zFail(const VolumeChoice& chosen) const {
     m_target.bind();
     state.stencilFront.depthFail = GL_DECR_WRAP;
     state.stencilBack.depthFail = GL_INCR_WRAP;
-    draw(state, VolumePart::Sides, VolumePart::DarkCaps, chosen);
-    state.stencilFront.depthFail = GL_INCR_WRAP;
-    state.stencilBack.depthFail = GL_DECR_WRAP;
-    draw(state, VolumePart::InwardLightCaps, VolumePart::InwardLightCaps, chosen);
+    // Light caps are clipped where the G-buffer's triangles were: clipping makes new corners, and other bits of depth.
+    gl::DrawState capState = state;
+    capState.depthClamp = false;
+    if (state.depthClamp) {
+        draw(state, VolumePart::Sides, VolumePart::Sides, chosen);
+        draw(capState, VolumePart::LightCaps, VolumePart::LightCaps, chosen);
+        draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen);
+    } else {
+        draw(state, VolumePart::Sides, VolumePart::DarkCaps, chosen);
+    }
+    capState.stencilFront.depthFail = GL_INCR_WRAP;
+    capState.stencilBack.depthFail = GL_DECR_WRAP;
+    draw(capState, VolumePart::InwardLightCaps, VolumePart::InwardLightCaps, chosen);
 }
 
 void VolumeCounter::nearPlane(const VolumeChoice& chosen) const {
