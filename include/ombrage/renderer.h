@@ -64,6 +64,9 @@ struct RenderSettings {
     /// False: nothing but the picture and what `show` names is wanted. RenderResult has no visibility, ao and ids then,
     /// and lighting asks shadow techniques that can answer pixel by pixel (shadow/map) without an image between them.
     bool images = true;
+    /// Techniques also count what they save against plainer ones (fill, pixels) in the frame that is returned: extra draws and
+    /// a wait, outside of the passes' times. Not with Timing::Frame.
+    bool countSavings = false;
     /// Called before each frame with the share done in [0,1]; returning false ends the call with Error(Interrupted).
     std::function<bool(double)> progress;
     std::map<int, Image> givenVisibility;  ///< per light index: use this visibility in the shadow pipeline's place

@@ -74,6 +74,7 @@ std::string SceneRunner::save(const std::string& name, const std::string& kind, 
 
 RenderSettings SceneRunner::settingsFor(int light) const {
     RenderSettings settings = m_request.base;
+    settings.countSavings = true;
     if (light >= 0) settings.light = m_scene.lights[std::size_t(light)].name;
     return settings;
 }

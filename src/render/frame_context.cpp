@@ -74,7 +74,7 @@ bool FrameContext::isReturned() const {
 }
 
 bool FrameContext::countsSavings() const {
-    return recorder->capturing && recorder->timesPasses;
+    return recorder->capturing && recorder->countsSavings;
 }
 
 FrameContext::Uncounted::Uncounted(FrameContext& frame) : m_frame(frame) {

@@ -118,8 +118,8 @@ public:
     /// done here alone.
     bool isReturned() const;
 
-    /// Whether what a technique saves is to be counted now: in the frame that is returned, and only where passes are
-    /// timed one by one, so that counting falls into no time.
+    /// Whether what a technique saves is to be counted now: in the frame that is returned, where the caller asks for it
+    /// (RenderSettings::countSavings).
     bool countsSavings() const;
 
     /// While it lives, passes, draws and counters are left out of the record: what is drawn counts what a technique does,

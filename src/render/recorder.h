@@ -29,6 +29,7 @@ struct FrameContext::Recorder {
     bool timesPasses = true;                      ///< else the whole frame is one span
     std::vector<PassWork> passes;                 ///< of this frame, in order
     std::map<std::string, double> counters;       ///< of this frame
+    bool countsSavings = false;                   ///< RenderSettings::countSavings, where it falls into no time
     bool uncounted = false;                       ///< draws are left out just now
     std::set<std::string> wanted;
     bool wantsAll = false;

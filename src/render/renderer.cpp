@@ -451,6 +451,7 @@ RenderResult Renderer::Impl::render(const RenderSettings& settings) {
     std::vector<std::string> order;
     std::map<std::string, std::vector<double>> passTimes;
     recorder.timesPasses = settings.timing == Timing::Passes;
+    recorder.countsSavings = settings.countSavings && recorder.timesPasses;
     timer->take();
     const int frames = settings.warmupFrames + settings.frames;
     for (int i = 0; i < frames; ++i) {

@@ -23,6 +23,7 @@ protected:
     /// Settings that put the technique, with parameters, into its family's place.
     RenderSettings settingsFor(const json& entry) const {
         RenderSettings settings;
+        settings.countSavings = true;
         settings.width = kWidth;
         settings.height = kHeight;
         settings.camera = entry.value("camera", "");

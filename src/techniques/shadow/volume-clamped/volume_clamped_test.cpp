@@ -10,6 +10,7 @@ namespace {
 RenderResult shadowOf(const std::string& scene, const std::string& technique) {
     Bench& bench = Bench::of(scene);
     RenderSettings settings;
+    settings.countSavings = true;
     settings.width = 320;
     settings.height = 180;
     settings.light = bench.scene().lights.front().name;

@@ -42,7 +42,7 @@ void main() {
     int resolution = textureSize(t_map, 0).x;
     float distance_m;
     vec2 uv = lightViewUv(view, p_world, distance_m);
-    float texel_m = lightViewTexel(view, distance_m, float(resolution));
+    float texel_m = lightViewTexel(view, distance_m, 1.0 / float(resolution));
     float steepest = MAX_SLOPE * texel_m, precision_m = 4.0 * lightViewPrecision(view, distance_m);
 
     ivec2 middle = ivec2(floor(uv * float(resolution)));

@@ -14,6 +14,7 @@ namespace {
 RenderResult shadowOf(const std::string& scene, const std::string& technique, int width, int height) {
     Bench& bench = Bench::of(scene);
     RenderSettings settings;
+    settings.countSavings = true;
     settings.width = width;
     settings.height = height;
     settings.light = bench.scene().lights.front().name;
