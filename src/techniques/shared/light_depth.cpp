@@ -16,6 +16,18 @@ std::vector<glm::mat4> casterPlacements(const FrameContext& frame) {
     return placements;
 }
 
+GLenum glFormat(DepthFormat format) {
+    switch (format) {
+        case DepthFormat::Unorm16:
+            return GL_DEPTH_COMPONENT16;
+        case DepthFormat::Unorm24:
+            return GL_DEPTH_COMPONENT24;
+        case DepthFormat::Float32:
+            break;
+    }
+    return GL_DEPTH_COMPONENT32F;
+}
+
 }  // namespace
 
 void LightDepth::reset() {
@@ -30,12 +42,16 @@ void LightDepth::sceneMoved() {
 }
 
 /// Fitting looks at every caster's vertices, and to the scene depends on the light alone.
-void LightDepth::fitViews(const FrameContext& frame, const LightFrame& light, LightFit fit) {
+void LightDepth::fitViews(const FrameContext& frame, const LightFrame& light, const Options& options) {
     const Pose pose{light.light->type, light.position, light.direction, light.light->outer_rad};
-    if (m_views && fit == LightFit::Scene && m_fit == LightFit::Scene && m_pose == pose) return;
-    m_views = makeLightViews(frame, light, fit);
+    const bool isFitted = m_views && options.fit == LightFit::Scene && m_fitted.fit == LightFit::Scene &&
+                          m_pose == pose && m_fitted.resolution == options.resolution &&
+                          m_fitted.margin_texels == options.margin_texels;
+    if (isFitted) return;
+    m_views =
+        makeLightViews(frame, light, options.fit, 2.0f * float(options.margin_texels) / float(options.resolution));
     m_pose = pose;
-    m_fit = fit;
+    m_fitted = options;
 }
 
 bool LightDepth::holds(const FrameContext& frame, const Options& options) const {
@@ -43,21 +59,41 @@ bool LightDepth::holds(const FrameContext& frame, const Options& options) const 
            !(m_mayHaveMoved && m_drawn->casters != casterPlacements(frame));
 }
 
-void LightDepth::update(FrameContext& frame, const LightFrame& light, const Options& options) {
-    fitViews(frame, light, options.fit);
-    const bool isThere = holds(frame, options);
-    m_mayHaveMoved = false;
-    if (isThere) return;
-
+void LightDepth::makeMap(const Options& options) {
     const gl::TextureDesc desc{.kind = m_views->views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
-                               .format = GL_DEPTH_COMPONENT32F,
+                               .format = glFormat(options.format),
                                .width = options.resolution,
                                .height = options.resolution,
                                .layers = int(m_views->views.size())};
-    if (!m_map || m_map.desc() != desc) {
-        m_map = gl::Texture(desc, "light depth");
-        if (options.compare) m_map.setCompare(GL_GEQUAL);
-    }
+    const bool hasBorder = options.margin_texels > 0;
+    if (m_map && m_map.desc() == desc && m_hasBorder == hasBorder) return;
+    m_map = gl::Texture(desc, "light depth");
+    m_hasBorder = hasBorder;
+    m_comparesLinear.reset();
+    if (hasBorder) m_map.setBorder(glm::vec4(0.0f));
+}
+
+void LightDepth::setCompare(bool linear) {
+    if (m_comparesLinear == linear) return;
+    m_comparesLinear = linear;
+    m_map.setCompare(GL_GEQUAL);
+    const GLenum filter = linear ? GL_LINEAR : GL_NEAREST;
+    m_map.setFilter(filter, filter);
+}
+
+std::vector<std::pair<std::string, std::string>> LightDepth::defines() const {
+    auto defines = m_views->defines();
+    if (m_drawn->options.format == DepthFormat::Unorm16) defines.emplace_back("MAP_BITS", "16");
+    if (m_drawn->options.format == DepthFormat::Unorm24) defines.emplace_back("MAP_BITS", "24");
+    return defines;
+}
+
+void LightDepth::update(FrameContext& frame, const LightFrame& light, const Options& options) {
+    fitViews(frame, light, options);
+    const bool isThere = holds(frame, options);
+    m_mayHaveMoved = false;
+    if (isThere) return;
+    makeMap(options);
     const auto pass = frame.pass("light depth");
     drawLightDepth(frame, light, *m_views, m_map, options.cull);
     m_drawn = {*m_views, options, casterPlacements(frame)};

@@ -9,16 +9,20 @@
 
 namespace ombrage {
 
+/// What a map stores of a depth: integers of so many bits, or floats.
+enum class DepthFormat { Unorm16, Unorm24, Float32 };
+
 /// The depth of the casters that one light sees, in a map (a layer for each of its views) that is kept while nothing in
 /// it changes.
 class LightDepth {
 public:
     struct Options {
         int resolution = 1024;  ///< texels, width and height of each view
+        DepthFormat format = DepthFormat::Float32;
         LightFit fit = LightFit::Scene;
+        int margin_texels = 0;  ///< how far lookups beside a point reach: cube faces overlap by so much
         GLenum cull = GL_NONE;  ///< as for drawLightDepth()
         bool keep = true;       ///< false: drawn anew by every update()
-        bool compare = false;   ///< read through a shadow sampler: 1 where the reference is at least what the map holds
         bool operator==(const Options&) const = default;
     };
 
@@ -30,9 +34,16 @@ public:
     /// Brings it up to date, in a pass of its own where there is something to draw.
     void update(FrameContext& frame, const LightFrame& light, const Options& options);
 
-    /// What update() left: a 2D texture for one view, an array for more; DEPTH_COMPONENT32F.
+    /// What update() left: a 2D texture for one view, an array for more. Lookups beyond its border find the farthest
+    /// depth where the options have a margin.
     const gl::Texture& map() const { return m_map; }
+    /// From now on it is read through a shadow sampler: 1 where the reference is at least what the map holds, of the
+    /// nearest texel or of the four around the point.
+    void setCompare(bool linear);
+
     const LightViews& views() const { return *m_views; }
+    /// What a program that includes shared/light_views.glsl for this map is compiled for.
+    std::vector<std::pair<std::string, std::string>> defines() const;
     std::uint64_t gpuBytes() const { return m_map ? gl::byteSize(m_map.desc()) : 0; }
 
 private:
@@ -51,13 +62,16 @@ private:
         std::vector<glm::mat4> casters;
     };
 
-    void fitViews(const FrameContext& frame, const LightFrame& light, LightFit fit);
+    void fitViews(const FrameContext& frame, const LightFrame& light, const Options& options);
+    void makeMap(const Options& options);
     bool holds(const FrameContext& frame, const Options& options) const;
 
     gl::Texture m_map;
+    bool m_hasBorder = false;
+    std::optional<bool> m_comparesLinear;  ///< as setCompare() left it
     std::optional<LightViews> m_views;
-    Pose m_pose;  ///< m_views were made for it, and for m_fit
-    LightFit m_fit = LightFit::Scene;
+    Pose m_pose;  ///< m_views were made for it, and for m_fitted
+    Options m_fitted;
     std::optional<Drawn> m_drawn;
     bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
 };

@@ -154,7 +154,7 @@ float nearPlane(const FrameContext& frame, const glm::vec3& position) {
 
 }  // namespace
 
-LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit) {
+LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit, float margin) {
     constexpr float kWidestSpot_rad = 1.308997f;  // 75 degrees: beyond it one picture wastes its texels on the rim
     LightViews made;
     if (light.light->type == LightType::Sun) {
@@ -179,7 +179,7 @@ LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, Li
         view.forward = axes[face / 2] * (face % 2 == 0 ? 1.0f : -1.0f);
         view.right = axes[(face / 2 + 1) % 3];
         view.up = glm::cross(view.right, view.forward);
-        view.halfExtent = glm::vec2(1.0f);
+        view.halfExtent = glm::vec2(1.0f / (1.0f - margin));
         made.views.push_back(view);
     }
     return made;

@@ -91,8 +91,14 @@ float lightViewDepth(int view, float distance_m) {
     return (VIEW_ORIGIN(view).w - distance_m) * VIEW_SCALES(view).z;
 }
 
-// Smallest difference of distances that the map can tell at a distance: a few units in the last place of its float depth.
+// Smallest difference of distances that the map can tell at a distance: a few units in the last place of its float depth, or
+// one of MAP_BITS bits, which in near/d is worth the more the farther away.
 float lightViewPrecision(int view, float distance_m) {
     float range = LIGHT_PERSPECTIVE != 0 ? distance_m : VIEW_ORIGIN(view).w - VIEW_FORWARD(view).w;
+#ifdef MAP_BITS
+    float unit = exp2(-float(MAP_BITS)) * (LIGHT_PERSPECTIVE != 0 ? max(distance_m / VIEW_FORWARD(view).w, 1.0) : 1.0);
+    return range * (4e-7 + unit);
+#else
     return range * 4e-7;
+#endif
 }

@@ -51,10 +51,12 @@ enum class LightFit {
     View    ///< the part of it that can shade what the camera sees: finer, but moves with the camera
 };
 
-/// Views of a light. A spot wider than 75 degrees half angle and a rect get the six views of a point light.
+/// Views of a light. `margin` is how far beyond its quarter of the sphere a cube's face reaches, as a share of the
+/// face: lookups beside a point near its border then stay in it. A spot wider than 75 degrees half angle and a rect get
+/// the six views of a point light.
 ///
 /// The sun's view leaves out of its extent (not out of its depths) flat instances that have all other geometry on the
 /// lit side, such as a ground: nothing lies behind them, so nothing can be in their shadow.
-LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit);
+LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit, float margin = 0.0f);
 
 }  // namespace ombrage

@@ -100,7 +100,7 @@ private:
         const gl::Program& program = frame.program(
             *this,
             {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shadow/volume-hybrid/hybrid.frag"}},
-            m_map.views().defines(), {{"ombrage/per_pass_lookup.glsl", LightViews::perPass()}});
+            m_map.defines(), {{"ombrage/per_pass_lookup.glsl", LightViews::perPass()}});
         m_map.views().setUniforms(program);
         frame.drawSurfaces();
         return marked;
