@@ -23,7 +23,10 @@ bool mapPoint(vec3 p_world, vec3 n_world, float reach, float perResolution, out 
     float lightDistance_m;
     vec3 l = directionToLight(p_world, lightDistance_m);
     float cosine = dot(n_world, l);
-    if (cosine <= 0.0 || irradianceFacing(l, lightDistance_m) == vec3(0.0)) return false;
+    bool isLit = cosine > 0.0 && irradianceFacing(l, lightDistance_m) != vec3(0.0);
+#if BIAS != BIAS_RECEIVER_PLANE
+    if (!isLit) return false;   // neighbours need the derivatives
+#endif
 
     at.p_world = p_world;
     at.n_world = n_world;
@@ -31,7 +34,7 @@ bool mapPoint(vec3 p_world, vec3 n_world, float reach, float perResolution, out 
     at.uv = lightViewUv(at.view, p_world, at.distance_m);
     at.texel_m = lightViewTexel(at.view, at.distance_m, perResolution);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
-    at.slope = min(sine / cosine, params.max_slope);
+    at.slope = min(sine / max(cosine, 1e-6), params.max_slope);
     at.gradient = vec2(0.0);
 
 #if BIAS == BIAS_NORMAL_OFFSET
@@ -44,7 +47,7 @@ bool mapPoint(vec3 p_world, vec3 n_world, float reach, float perResolution, out 
     float determinant = dx.x * dy.y - dx.y * dy.x;
     at.gradient = vec2(dy.y * dx.z - dx.y * dy.z, dx.x * dy.z - dy.x * dx.z) / (abs(determinant) > 1e-20 ? determinant : 1e20);
 #endif
-    return true;
+    return isLit;
 }
 
 // Distance to compare with what the map holds at a texel's centre, which `beside` texels (at least those of the nearest texel) lie
