@@ -107,6 +107,10 @@ void Program::set(const char* name, const glm::vec4* values, int count) const {
     glProgramUniform4fv(m_id, location(name), count, &(*values)[0]);
 }
 
+void Program::set(const char* name, const glm::vec2* values, int count) const {
+    glProgramUniform2fv(m_id, location(name), count, &(*values)[0]);
+}
+
 GLint Program::uniformOffset(const char* name) const {
     // A block with an instance name calls its members "Block.member"; one without calls them "member".
     const std::string full = name;

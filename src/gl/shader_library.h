@@ -34,6 +34,7 @@ public:
     void set(const char* name, const glm::mat4& value) const;
     void set(const char* name, const glm::mat4* values, int count) const;
     void set(const char* name, const glm::vec4* values, int count) const;
+    void set(const char* name, const glm::vec2* values, int count) const;
 
     /// Offset that the driver gave to "block.member" of a uniform block, -1 when it is not active.
     GLint uniformOffset(const char* name) const;

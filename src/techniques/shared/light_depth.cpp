@@ -81,6 +81,13 @@ void LightDepth::setCompare(bool linear) {
     m_map.setFilter(filter, filter);
 }
 
+void LightDepth::setPlain() {
+    if (!m_comparesLinear) return;
+    m_comparesLinear.reset();
+    m_map.setCompare(GL_NONE);
+    m_map.setFilter(GL_NEAREST, GL_NEAREST);
+}
+
 std::vector<std::pair<std::string, std::string>> LightDepth::defines() const {
     auto defines = m_views->defines();
     if (m_drawn->options.format == DepthFormat::Unorm16) defines.emplace_back("MAP_BITS", "16");

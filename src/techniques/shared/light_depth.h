@@ -40,6 +40,8 @@ public:
     /// From now on it is read through a shadow sampler: 1 where the reference is at least what the map holds, of the
     /// nearest texel or of the four around the point.
     void setCompare(bool linear);
+    /// Or as it is, as after update().
+    void setPlain();
 
     const LightViews& views() const { return *m_views; }
     /// What a program that includes shared/light_views.glsl for this map is compiled for.
