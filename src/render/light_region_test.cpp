@@ -5,23 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include "render_fixture.h"
+
 namespace ombrage {
 namespace {
 
+// A point x aside at the depth d lies at its pixel 200 + 100 x / d, one y above at 100 + 100 y / d.
+using hand::viewAhead;
 using Rect = gl::DrawState::Rect;
-
-/// From the zero along -z, the near plane at 1 cm. Without a height 90 degrees: a point x aside at the depth d lies at
-/// the pixel 200 + 100 x / d, one y above at 100 + 100 y / d.
-CameraView viewOf(std::optional<float> orthoHeight_m = {}) {
-    Camera camera;
-    camera.position = {0, 0, 0};
-    camera.target = {0, 0, -1};
-    camera.fovY_rad = glm::radians(90.0f);
-    camera.orthoHeight_m = orthoHeight_m;
-    CameraView view = makeCameraView(camera, 400, 200, glm::dvec3(0), {glm::vec3(-100), glm::vec3(100)});
-    EXPECT_FLOAT_EQ(view.near_m, 0.01f);
-    return view;
-}
 
 LightRegion regionOf(const CameraView& view, const glm::vec3& position, float range_m,
                      LightType type = LightType::Point) {
@@ -67,7 +58,7 @@ void expectDepths(const LightRegion& region, double lower, double upper, double 
 
 TEST(LightRegion, ALampAheadReachesAKnownRectangleAndDepths) {
     // The sphere of 1 m at 5 m is seen under 1 / sqrt(24), the box's near face at 4 m under 1/4.
-    const LightRegion region = regionOf(viewOf(), {0, 0, -5}, 1);
+    const LightRegion region = regionOf(viewAhead(), {0, 0, -5}, 1);
     expectScissor(region, {179.6, 79.6, 220.4, 120.4}, {175, 75, 225, 125});
     expectDepths(region, 0.01 / 6, 0.01 / 4, 2e-4 * 0.01 / 4);
 }
@@ -75,13 +66,13 @@ TEST(LightRegion, ALampAheadReachesAKnownRectangleAndDepths) {
 TEST(LightRegion, ALampAsideReachesThatSide) {
     // The sphere's sides: tan(atan(2/5) -+ asin(1/sqrt(29))) = 0.1962, 0.6371; tan(atan(1/5) -+ asin(1/sqrt(26))) = 0,
     // 0.4167. The box's: 1/6 and 3/4, 0 and 2/4.
-    expectScissor(regionOf(viewOf(), {2, 1, -5}, 1), {219.6, 100, 263.7, 141.6}, {216.6, 100, 275, 150});
-    expectScissor(regionOf(viewOf(), {-2, -1, -5}, 1), {136.3, 58.4, 180.4, 100}, {125, 50, 183.4, 100});
+    expectScissor(regionOf(viewAhead(), {2, 1, -5}, 1), {219.6, 100, 263.7, 141.6}, {216.6, 100, 275, 150});
+    expectScissor(regionOf(viewAhead(), {-2, -1, -5}, 1), {136.3, 58.4, 180.4, 100}, {125, 50, 183.4, 100});
 }
 
 TEST(LightRegion, EndsWhereThePictureDoes) {
     // tan(atan(-8/5) + asin(4/sqrt(89))) = -0.647; the box's far corner: -4/9. Above and below it is cut.
-    const LightRegion region = regionOf(viewOf(), {-8, 0, -5}, 4);
+    const LightRegion region = regionOf(viewAhead(), {-8, 0, -5}, 4);
     expectScissor(region, {0, 0, 135.3, 200}, {0, 0, 155.6, 200});
     EXPECT_GE(region.scissor->x, 0);
     EXPECT_GE(region.scissor->y, 0);
@@ -90,7 +81,7 @@ TEST(LightRegion, EndsWhereThePictureDoes) {
 
 TEST(LightRegion, OrthographicRectanglesAreTheSpheresOwn) {
     // 8 m by 4 m in 400 by 200 pixels: 50 a metre.
-    const CameraView view = viewOf(4.0f);
+    const CameraView view = viewAhead(4.0f);
     const LightRegion region = regionOf(view, {1, 0.5f, -5}, 1);
     expectScissor(region, {200, 75, 300, 175}, {200, 75, 300, 175});
     const double length_m = double(view.far_m) - 0.01;
@@ -98,7 +89,7 @@ TEST(LightRegion, OrthographicRectanglesAreTheSpheresOwn) {
 }
 
 TEST(LightRegion, IsEmptyBehindTheEyeAndBesideThePicture) {
-    for (const CameraView& view : {viewOf(), viewOf(4.0f)}) {
+    for (const CameraView& view : {viewAhead(), viewAhead(4.0f)}) {
         EXPECT_TRUE(regionOf(view, {0, 0, 5}, 1).empty) << "behind";
         EXPECT_TRUE(regionOf(view, {30, 0, -5}, 1).empty) << "right";
         EXPECT_TRUE(regionOf(view, {-30, 0, -5}, 1).empty) << "left";
@@ -107,12 +98,12 @@ TEST(LightRegion, IsEmptyBehindTheEyeAndBesideThePicture) {
         EXPECT_FALSE(regionOf(view, {0, 0, -5}, 1).empty);
     }
     // Just reaching over the near plane, and just not.
-    EXPECT_FALSE(regionOf(viewOf(), {0, 0, 0.95f}, 1).empty);
-    EXPECT_TRUE(regionOf(viewOf(), {0, 0, 0.995f}, 1).empty);
+    EXPECT_FALSE(regionOf(viewAhead(), {0, 0, 0.95f}, 1).empty);
+    EXPECT_TRUE(regionOf(viewAhead(), {0, 0, 0.995f}, 1).empty);
 }
 
 TEST(LightRegion, AroundTheEyeEveryPixelMayBeReached) {
-    const LightRegion region = regionOf(viewOf(), {0, 0, 0.5f}, 1);
+    const LightRegion region = regionOf(viewAhead(), {0, 0, 0.5f}, 1);
     EXPECT_FALSE(region.empty);
     EXPECT_FALSE(region.scissor.has_value());
     expectDepths(region, 0.01 / 0.5, 1, 2e-4 * 0.01 / 0.5);
@@ -122,8 +113,8 @@ TEST(LightRegion, AroundTheEyeEveryPixelMayBeReached) {
 TEST(LightRegion, SunsAndLampsWithoutRangeReachEverything) {
     const float endless = std::numeric_limits<float>::infinity();
     for (const LightRegion& region :
-         {regionOf(viewOf(), {0, 0, -5}, 1, LightType::Sun), regionOf(viewOf(), {0, 0, -5}, endless),
-          regionOf(viewOf(), {0, 0, 5}, endless)}) {
+         {regionOf(viewAhead(), {0, 0, -5}, 1, LightType::Sun), regionOf(viewAhead(), {0, 0, -5}, endless),
+          regionOf(viewAhead(), {0, 0, 5}, endless)}) {
         EXPECT_FALSE(region.empty);
         EXPECT_FALSE(region.scissor.has_value());
         EXPECT_FALSE(region.depthBounds.has_value());

@@ -1,29 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shared/near_clip.h"
 
-#include <optional>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "render_fixture.h"
+
 namespace ombrage {
 namespace {
 
+using hand::viewAhead;  // its near plane's rectangle is 4 cm by 2 cm in perspective
 /// Half the side of the boxes that are tried: small beside the volumes' cross sections.
 constexpr float kHalfBox_m = 1e-4f;
-
-/// From the zero along -z, twice as wide as high, the near plane at 1 cm. Without a height 90 degrees: its rectangle
-/// there is 4 cm by 2 cm.
-CameraView viewOf(std::optional<float> orthoHeight_m) {
-    Camera camera;
-    camera.position = {0, 0, 0};
-    camera.target = {0, 0, -1};
-    camera.fovY_rad = glm::radians(90.0f);
-    camera.orthoHeight_m = orthoHeight_m;
-    CameraView view = makeCameraView(camera, 400, 200, glm::dvec3(0), {glm::vec3(-100), glm::vec3(100)});
-    EXPECT_FLOAT_EQ(view.near_m, 0.01f);
-    return view;
-}
 
 bool touches(const NearClipVolume& volume, const glm::vec3& center) {
     return volume.touches(center - kHalfBox_m, center + kHalfBox_m);
@@ -42,7 +31,7 @@ void expectSection(const NearClipVolume& volume, const glm::vec3& center, const 
 }
 
 TEST(NearClip, ALampBeforeTheNearPlaneMakesAPyramid) {
-    const NearClipVolume volume(viewOf({}), {0, 0, -2.01, 1});
+    const NearClipVolume volume(viewAhead(), {0, 0, -2.01, 1});
     expectSection(volume, {0, 0, -1.01f}, {0.01f, 0.005f});  // half way: half of the rectangle
     expectSection(volume, {0, 0, -0.51f}, {0.015f, 0.0075f});
     EXPECT_FALSE(touches(volume, {0, 0, -2.1f})) << "behind the lamp";
@@ -54,7 +43,7 @@ TEST(NearClip, ALampBeforeTheNearPlaneMakesAPyramid) {
 }
 
 TEST(NearClip, ALampBehindTheEyeIsShadedFromBehind) {
-    const NearClipVolume volume(viewOf({}), {0, 0, 1.99, 1});
+    const NearClipVolume volume(viewAhead(), {0, 0, 1.99, 1});
     expectSection(volume, {0, 0, 0.99f}, {0.01f, 0.005f});
     EXPECT_TRUE(touches(volume, {0, 0, 0.001f})) << "at the eye";
     EXPECT_FALSE(touches(volume, {0, 0, -0.5f})) << "before the near plane";
@@ -62,40 +51,40 @@ TEST(NearClip, ALampBehindTheEyeIsShadedFromBehind) {
 }
 
 TEST(NearClip, ALampAsideSlantsThePyramid) {
-    const NearClipVolume volume(viewOf({}), {1, 0.5, -2.01, 1});
+    const NearClipVolume volume(viewAhead(), {1, 0.5, -2.01, 1});
     expectSection(volume, {0.5f, 0.25f, -1.01f}, {0.01f, 0.005f});
     EXPECT_FALSE(touches(volume, {0, 0, -1.01f}));
     EXPECT_FALSE(touches(volume, {1.5f, 0.75f, -3.01f})) << "behind the lamp";
 }
 
 TEST(NearClip, ASunMakesAPrism) {
-    const NearClipVolume ahead(viewOf({}), {0, 0, -1, 0});
+    const NearClipVolume ahead(viewAhead(), {0, 0, -1, 0});
     for (const float z : {-0.1f, -1.0f, -50.0f}) expectSection(ahead, {0, 0, z}, {0.02f, 0.01f});
     EXPECT_FALSE(touches(ahead, {0, 0, 0.5f})) << "behind the eye";
 
-    const NearClipVolume behind(viewOf({}), {0, 0, 1, 0});
+    const NearClipVolume behind(viewAhead(), {0, 0, 1, 0});
     expectSection(behind, {0, 0, 5}, {0.02f, 0.01f});
     EXPECT_FALSE(touches(behind, {0, 0, -0.5f})) << "before the near plane";
 
-    const NearClipVolume aside(viewOf({}), {1, 0.5, -1, 0});
+    const NearClipVolume aside(viewAhead(), {1, 0.5, -1, 0});
     expectSection(aside, {1, 0.5f, -1.01f}, {0.02f, 0.01f});
     EXPECT_FALSE(touches(aside, {0, 0, -1.01f}));
     EXPECT_FALSE(touches(aside, {-1, -0.5f, 0.99f})) << "away from the sun";
 }
 
 TEST(NearClip, AnOrthographicRectangleIsThePictures) {
-    const NearClipVolume lamp(viewOf(2.0f), {0, 0, -4.01, 1});
+    const NearClipVolume lamp(viewAhead(2.0f), {0, 0, -4.01, 1});
     expectSection(lamp, {0, 0, -2.01f}, {1, 0.5f});
     EXPECT_FALSE(touches(lamp, {0, 0, -4.5f})) << "behind the lamp";
     EXPECT_FALSE(touches(lamp, {0, 0, 0.5f})) << "behind the eye";
-    const NearClipVolume sun(viewOf(2.0f), {1, 0, -1, 0});
+    const NearClipVolume sun(viewAhead(2.0f), {1, 0, -1, 0});
     expectSection(sun, {3, 0, -3.01f}, {2, 1});
     EXPECT_FALSE(touches(sun, {-1, 0, 0.99f})) << "away from the sun";
 }
 
 TEST(NearClip, ALightWithinTheNearPlaneRulesNothingOut) {
     for (const glm::vec4& toward : {glm::vec4(0, 1, 0, 0), glm::vec4(3, 0, -0.01, 1)}) {
-        const NearClipVolume volume(viewOf({}), toward);
+        const NearClipVolume volume(viewAhead(), toward);
         for (const glm::vec3& p : {glm::vec3(0, 0, 5), glm::vec3(0, 0, -5), glm::vec3(5, 5, 0)})
             EXPECT_TRUE(touches(volume, p));
     }
