@@ -183,7 +183,8 @@ private:
         state.depthClamp = frame.view.orthographic;
         state.cull = GL_FRONT;
         state.blend = true;
-        region.limit(state);
+        state.scissor = region.scissor;
+        const gl::DepthBounds bounds(region.depthBounds);
         gl::apply(state);
         frame.bindGBuffer();
         frame.gpuScene->bindStorage();
