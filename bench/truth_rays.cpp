@@ -214,7 +214,7 @@ Question soft(const Setting& setting, const Camera& camera, int threads) {
     return q;
 }
 
-/// The centre of the first light, one ray for each receiver (the truth also learns the nearest blocker from it).
+/// The centre of the first light, one ray for each receiver.
 Question hard(const Setting& setting, const Camera& camera, int threads) {
     Question q{"hard shadow", {}, {}, optionsOf(1280, 720, 1, threads)};
     const Receivers receivers = setting.reference.receivers(camera, q.options);

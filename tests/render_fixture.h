@@ -4,11 +4,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
 #include <ombrage/error.h>
 #include <ombrage/renderer.h>
+
+#include "scene/camera_view.h"
 
 namespace ombrage {
 
@@ -85,6 +88,19 @@ inline void add(Scene& scene, Mesh mesh, const Material& material, const glm::dm
     scene.meshes.push_back(std::move(mesh));
     scene.models.push_back({"model", "", true, true});
     scene.instances.push_back(instance);
+}
+
+/// From the zero along -z, 400 by 200 pixels, the near plane at 1 cm; a view of 90 degrees where no height is given.
+inline CameraView viewAhead(std::optional<float> orthoHeight_m = {}) {
+    Camera camera;
+    camera.position = {0, 0, 0};
+    camera.target = {0, 0, -1};
+    camera.fovY_rad = 1.5707963f;
+    camera.orthoHeight_m = orthoHeight_m;
+    // Bounds of more than 100 m: the largest near distance there is.
+    CameraView view = makeCameraView(camera, 400, 200, glm::dvec3(0), {glm::dvec3(-100), glm::dvec3(100)});
+    EXPECT_FLOAT_EQ(view.near_m, 0.01f);
+    return view;
 }
 
 inline glm::dmat4 moved(const glm::dvec3& by) {

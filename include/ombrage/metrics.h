@@ -71,7 +71,8 @@ struct ShadowQuestion {
     TexelFootprint footprint;
     std::vector<bool> inDomain;  ///< per pixel, whether the technique's declared domain covers it; empty: everywhere
     std::vector<bool> inRange;   ///< per pixel, whether the technique's range covers it; empty: everywhere
-    /// Without it shadow edges that lie on another surface are not found, and `terminator` and `leak_layered` are null.
+    /// Without it neither contact gaps nor shadow edges that lie on another surface are found, and `terminator` and
+    /// `leak_layered` are null.
     const ShadowFeatures* features = nullptr;
 };
 

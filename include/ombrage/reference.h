@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -62,15 +63,16 @@ enum class Mask : std::uint8_t { Valid = 0, Sky = 1, BelowHorizon = 2, NotReceiv
 struct ShadowTruth {
     int width = 0, height = 0;
     int samplesPerPixel = 0;
-    bool soft = false;                     ///< the light has a size
-    std::vector<float> visibility;         ///< v*: share of the light seen
-    std::vector<float> standardError;      ///< of v*, from the scramblings; 0 for hard lights
-    std::vector<float> irradianceShare;    ///< the irradiance-weighted share
-    std::vector<float> irradiance;         ///< unshadowed irradiance (luminance), the weight of wrong_lit
-    std::vector<float> cosine;             ///< n_g . l to the light's centre
-    std::vector<float> blockerDistance_m;  ///< nearest blocker along the ray to the light's centre, +inf when none
-    std::vector<float> lightDistance_m;    ///< to the light's centre; +inf for suns
-    std::vector<std::uint32_t> blockerInstance;  ///< of that blocker, kNoHit when none
+    bool soft = false;                   ///< the light has a size
+    std::vector<float> visibility;       ///< v*: share of the light seen
+    std::vector<float> standardError;    ///< of v*, from the scramblings; 0 for hard lights
+    std::vector<float> irradianceShare;  ///< the irradiance-weighted share
+    std::vector<float> irradiance;       ///< unshadowed irradiance (luminance), the weight of wrong_lit
+    std::vector<float> cosine;           ///< n_g . l to the light's centre
+    std::vector<float> lightDistance_m;  ///< to the light's centre; +inf for suns
+    std::vector<std::uint8_t>
+        centreSeen;  ///< of a soft light: 1 where its centre is above the horizon and free, else
+                     ///< and where the mask is not Valid 0. Empty for hard ones: visibility says it
     std::vector<Mask> mask;
     double meanStandardError = 0;  ///< over valid pixels
     double maskedShare = 0;        ///< of all pixels that are not sky
@@ -84,13 +86,23 @@ struct LightSurroundings {
     bool ownCasts = false;  ///< the point's own surface is among those that shade this light
 };
 
+/// What stands nearest to a point on the way from it to a light's centre.
+struct Blocker {
+    float distance_m = std::numeric_limits<float>::infinity();  ///< from the point
+    std::uint32_t instance = kNoHit;                            ///< kNoHit where nothing is
+};
+
 /// What error classes ask of the truth beside ShadowTruth. The fields without rays are there; what costs rays is asked
 /// for the pixels where it matters. Pixels are indices of receivers that are not sky.
 struct ShadowFeatures {
     std::vector<float> shadingCosine;  ///< n_s . l to the light's centre; 0 for sky
 
+    /// The nearest blocker of each pixel's point, whether it is above the light's horizon or not.
+    std::function<std::vector<Blocker>(const std::vector<std::uint32_t>& pixels)> blockers;
+
     /// Looks at 16 rays to the light through a disk of `reach_m` about each pixel's ray. The point's own surface goes
-    /// on as its tangent plane; walls that rise from it in a crease, and what lies lower than twice the reach, are part of it.
+    /// on as its tangent plane; walls that rise from it in a crease, and what lies lower than twice the reach, are part
+    /// of it.
     std::function<std::vector<LightSurroundings>(const std::vector<std::uint32_t>& pixels,
                                                  const std::vector<float>& reach_m)>
         surroundings;

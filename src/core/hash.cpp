@@ -27,13 +27,11 @@ void Hasher::bytes(const void* data, std::size_t size) {
 }
 
 std::uint64_t Hasher::digest() const {
-    // splitmix64 finaliser (Steele, Lea, Flood 2014).
-    std::uint64_t z = m_state + m_length * 0x9e3779b97f4a7c15ull;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
-    return z ^ (z >> 31);
+    return mixedBits(m_state + m_length * 0x9e3779b97f4a7c15ull);
 }
 
-std::string Hasher::hex() const { return fmt::format("{:016x}", digest()); }
+std::string Hasher::hex() const {
+    return fmt::format("{:016x}", digest());
+}
 
 }  // namespace ombrage

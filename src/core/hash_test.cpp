@@ -15,6 +15,13 @@ std::string hexOf(const std::string& bytes) {
     return hasher.hex();
 }
 
+TEST(MixedBits, IsSplitmixsFinaliser) {
+    // The first two numbers of splitmix64 from 0, as its authors' program prints them.
+    EXPECT_EQ(mixedBits(0x9e3779b97f4a7c15ull), 0xe220a8397b1dcdafull);
+    EXPECT_EQ(mixedBits(2 * 0x9e3779b97f4a7c15ull), 0x6e789e6aa1b965f4ull);
+    EXPECT_EQ(mixedBits(0), 0u);
+}
+
 TEST(Hasher, StaysWhatItIs) {
     // Records of earlier versions hold these: scenes must keep their hashes. Worked out apart from the code, in Python,
     // from the definition: FNV-1a's offset and prime, x ^= x >> 32 after each word, the tail bytewise, splitmix64's

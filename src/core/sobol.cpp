@@ -4,6 +4,8 @@
 #include <array>
 #include <cassert>
 
+#include "core/hash.h"
+
 namespace ombrage {
 namespace {
 
@@ -93,11 +95,8 @@ glm::vec2 owenSobol2(std::uint32_t index, std::uint32_t seed, int dimensionPair)
 }
 
 std::uint32_t hashCombine(std::uint32_t a, std::uint32_t b) {
-    // Both words enter one 64-bit word, mixed by the finaliser of splitmix64.
-    std::uint64_t x = (std::uint64_t(a) << 32 | b) + 0x9e3779b97f4a7c15ull;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-    return std::uint32_t((x ^ (x >> 31)) >> 32);
+    // Both words enter one 64-bit word, mixed.
+    return std::uint32_t(mixedBits((std::uint64_t(a) << 32 | b) + 0x9e3779b97f4a7c15ull) >> 32);
 }
 
 }  // namespace ombrage

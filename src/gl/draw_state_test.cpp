@@ -124,6 +124,26 @@ TEST_F(DrawStateTest, BlendingAdds) {
     EXPECT_EQ(red(), 4.5f);
 }
 
+TEST_F(DrawStateTest, ScissorLimitsDrawing) {
+    clear();
+    fullscreen(0.0f, glm::vec4(3));
+    DrawState state;
+    state.scissor = DrawState::Rect{1, 2, 3, 1};
+    apply(state);
+    drawFullscreen();
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) EXPECT_EQ(red(x, y), x >= 1 && y == 2 ? 3.0f : 0.0f) << x << ", " << y;
+    // An empty rectangle is not the same as none.
+    clear();
+    state.scissor = DrawState::Rect{};
+    apply(state);
+    drawFullscreen();
+    EXPECT_EQ(red(), 0.0f);
+    apply({});
+    drawFullscreen();
+    EXPECT_EQ(red(), 3.0f);
+}
+
 TEST_F(DrawStateTest, TwoSidedStencilTellsTheSides) {
     // Two triangles over the same pixels: the first is counter-clockwise (front), the second clockwise.
     const std::vector<glm::vec2> positions = {{-1, -1}, {3, -1}, {-1, 3}, {-1, -1}, {-1, 3}, {3, -1}};

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "core/hash.h"
 #include "core/strings.h"
 #include "lab/tune_search.h"
 
@@ -43,10 +44,7 @@ public:
     explicit Random(std::uint64_t seed) : m_state(seed) {}
     std::uint64_t next() {
         m_state += 0x9e3779b97f4a7c15u;
-        std::uint64_t z = m_state;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        return z ^ (z >> 31);
+        return mixedBits(m_state);
     }
     double unit() { return double(next() >> 11) * 0x1p-53; }
     template <typename T>

@@ -28,6 +28,34 @@ ErrorClass penumbraClass(double v, double truth) {
     return std::abs(v - 0.5) < std::abs(truth - 0.5) ? ErrorClass::OverBlur : ErrorClass::UnderBlur;
 }
 
+/// How far a pixel is from its truth where that counts as an error, else 0.
+double countedError(float visibility, const ShadowTruth& truth, std::size_t i) {
+    if (truth.mask[i] != Mask::Valid) return 0;
+    const double e = double(measuredValue(visibility, truth.visibility[i])) - double(truth.visibility[i]);
+    return std::abs(e) > errorTolerance(truth) + 3 * double(truth.standardError[i]) ? e : 0;
+}
+
+bool misses(const ShadowQuestion& question, std::size_t i) {
+    return !question.inRange.empty() && !question.inRange[i];
+}
+
+/// Per pixel, whether it is too light under a blocker so near that a bias must lose it. Needs the question's features.
+std::vector<bool> contactGaps(std::span<const float> visibility, const ShadowTruth& truth, const Receivers& receivers,
+                              const ShadowQuestion& question) {
+    std::vector<bool> gap(visibility.size(), false);
+    if (question.features == nullptr) return gap;
+    std::vector<std::uint32_t> asked;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+        if (truth.visibility[i] == 0 && countedError(visibility[i], truth, i) > 0 && !misses(question, i))
+            asked.push_back(std::uint32_t(i));
+    if (asked.empty()) return gap;
+    const std::vector<Blocker> blockers = question.features->blockers(asked);
+    for (std::size_t k = 0; k < asked.size(); ++k)
+        gap[asked[k]] =
+            double(blockers[k].distance_m) < 4 * texelSize_m(question.footprint, truth, receivers, asked[k]);
+    return gap;
+}
+
 }  // namespace
 
 ErrorZones errorZones(const ShadowTruth& truth, const Receivers& receivers) {
@@ -46,10 +74,7 @@ ErrorZones errorZones(const ShadowTruth& truth, const Receivers& receivers) {
 }
 
 std::vector<float> hardShadow(const ShadowTruth& truth) {
-    std::vector<float> seen(truth.visibility.size());
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        seen[i] = truth.blockerInstance[i] == kNoHit && truth.cosine[i] > 0 ? 1.0f : 0.0f;
-    return seen;
+    return truth.soft ? std::vector<float>(truth.centreSeen.begin(), truth.centreSeen.end()) : truth.visibility;
 }
 
 double errorTolerance(const ShadowTruth& truth) {
@@ -69,26 +94,24 @@ double aliasReach_px(const TexelFootprint& footprint, const ShadowTruth& truth, 
 std::vector<ErrorClass> classify(std::span<const float> visibility, const ShadowTruth& truth,
                                  const Receivers& receivers, const ErrorZones& zones, const ShadowQuestion& question) {
     const TexelFootprint& footprint = question.footprint;
-    const double tau = errorTolerance(truth);
     const bool texels = hasTexels(footprint);
+    const std::vector<bool> isContactGap = contactGaps(visibility, truth, receivers, question);
     std::vector<ErrorClass> classes(visibility.size(), ErrorClass::None);
 
     // Pixels whose class depends on what the light sees around them, and how far around.
     std::vector<std::uint32_t> asked;
     std::vector<float> reach_m;
     for (std::size_t i = 0; i < classes.size(); ++i) {
-        if (truth.mask[i] != Mask::Valid) continue;
-        const double v = double(truth.visibility[i]);
-        const double e = double(measuredValue(visibility[i], truth.visibility[i])) - v;
-        if (!(std::abs(e) > tau + 3 * double(truth.standardError[i]))) continue;
+        const double e = countedError(visibility[i], truth, i);
+        if (e == 0) continue;
 
         // The first that holds (design section 7).
-        const double texel_m = texelSize_m(footprint, truth, receivers, i);
+        const double v = double(truth.visibility[i]);
         const bool tooLight = e > 0 && v == 0, tooDark = e < 0 && v == 1;
         ErrorClass c = ErrorClass::Other;
-        if (!question.inRange.empty() && !question.inRange[i])
+        if (misses(question, i))
             c = ErrorClass::Missing;
-        else if (tooLight && double(truth.blockerDistance_m[i]) < 4 * texel_m)
+        else if (isContactGap[i])
             c = ErrorClass::ContactGap;
         else if (double(zones.toHardEdge_px[i]) <= aliasReach_px(footprint, truth, receivers, i))
             c = ErrorClass::Alias;
@@ -101,7 +124,7 @@ std::vector<ErrorClass> classify(std::span<const float> visibility, const Shadow
         classes[i] = c;
         if (texels && (c == ErrorClass::Acne || c == ErrorClass::Leak)) {
             asked.push_back(std::uint32_t(i));
-            reach_m.push_back(float(texel_m * (1 + footprint.kernelRadius_texels)));
+            reach_m.push_back(float(texelSize_m(footprint, truth, receivers, i) * (1 + footprint.kernelRadius_texels)));
         }
     }
 

@@ -29,7 +29,8 @@ double aliasReach_px(const TexelFootprint& footprint, const ShadowTruth& truth, 
 std::vector<ErrorClass> classify(std::span<const float> visibility, const ShadowTruth& truth,
                                  const Receivers& receivers, const ErrorZones& zones, const ShadowQuestion& question);
 
-/// Whether the light's centre is seen, 0 or 1: what a plain hard shadow without an error of its own would show.
+/// What a plain hard shadow without an error of its own would show: of a soft light whether its centre is seen, 0 or 1;
+/// of a hard one the truth.
 std::vector<float> hardShadow(const ShadowTruth& truth);
 
 }  // namespace ombrage

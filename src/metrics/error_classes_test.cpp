@@ -14,31 +14,6 @@
 namespace ombrage::test {
 namespace {
 
-/// Features that give one answer everywhere and remember what they were asked.
-struct Answers {
-    LightSurroundings around;
-    int layers = 1;
-    std::vector<std::uint32_t> asked;
-    ShadowFeatures features;
-
-    Answers() {
-        features.shadingCosine.assign(kCount, 1.0f);
-        features.surroundings = [this](const std::vector<std::uint32_t>& pixels, const std::vector<float>& reach_m) {
-            EXPECT_EQ(pixels.size(), reach_m.size());
-            asked = pixels;
-            return std::vector<LightSurroundings>(pixels.size(), around);
-        };
-        features.layers = [this](const std::vector<std::uint32_t>& pixels) {
-            return std::vector<int>(pixels.size(), layers);
-        };
-    }
-    ShadowQuestion question(const TexelFootprint& footprint) const {
-        ShadowQuestion q = withTexels(footprint);
-        q.features = &features;
-        return q;
-    }
-};
-
 ErrorClass classAt(const Case& c, const ShadowQuestion& question, int x, int y) {
     return c.measure(question).classes[Case::at(x, y)];
 }
@@ -88,18 +63,35 @@ TEST(ErrorClasses, LeaksUnderSeveralBlockersAreCounted) {
 
 TEST(ErrorClasses, OutsideTheRangeIsMissingBeforeAnythingElse) {
     Case c;
+    Answers answers;
     for (int y = 0; y < kHeight; ++y)
-        for (int x = kWidth / 2; x < kWidth; ++x) {
-            c.picture[Case::at(x, y)] = 1;
-            c.truth.blockerDistance_m[Case::at(x, y)] = 0.001f;
-        }
-    ShadowQuestion question;
+        for (int x = kWidth / 2; x < kWidth; ++x) c.picture[Case::at(x, y)] = 1;
+    answers.blockerDistance_m.assign(kCount, 0.001f);
+    ShadowQuestion question = answers.question({});
     question.inRange.assign(kCount, true);
     for (int y = 0; y < kHeight / 2; ++y)
         for (int x = 0; x < kWidth; ++x) question.inRange[Case::at(x, y)] = false;
     const Metrics m = c.measure(question).metrics;
     EXPECT_DOUBLE_EQ(*m.at("missing"), 0.25) << "right pixels outside the range are not missed";
     EXPECT_DOUBLE_EQ(*m.at("contact_gap"), 0.25);
+    EXPECT_EQ(answers.askedBlockers.size(), kCount / 4) << "what is missing needs no blocker";
+}
+
+TEST(ErrorClasses, OnlyPixelsThatAreTooLightAskForTheirBlockers) {
+    Case c;
+    Answers answers;
+    answers.blockerDistance_m.assign(kCount, 0.001f);
+    // Right and wrong, masked and dark pixels in the shadow, and a dark one in the light.
+    c.picture[Case::at(60, 5)] = 1;
+    c.picture[Case::at(60, 6)] = 1;
+    c.picture[Case::at(60, 7)] = 0.05f;
+    c.picture[Case::at(5, 5)] = 0;
+    c.truth.mask[Case::at(60, 6)] = Mask::Disagree;
+    const ShadowMeasurement m = c.measure(answers.question({}));
+    EXPECT_EQ(answers.askedBlockers, std::vector<std::uint32_t>{std::uint32_t(Case::at(60, 5))});
+    EXPECT_EQ(m.classes[Case::at(60, 5)], ErrorClass::ContactGap);
+    EXPECT_EQ(m.classes[Case::at(5, 5)], ErrorClass::FalseShadow);
+    EXPECT_EQ(c.measure().classes[Case::at(60, 5)], ErrorClass::Leak) << "not known without features";
 }
 
 TEST(ErrorClasses, WhatIsBrighterThanLitIsOther) {

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include <gtest/gtest.h>
 #include <ombrage/metrics.h>
 
 namespace ombrage::test {
@@ -11,7 +12,7 @@ namespace ombrage::test {
 inline constexpr int kWidth = 64, kHeight = 48;
 inline constexpr std::size_t kCount = std::size_t(kWidth) * kHeight;
 
-/// A level floor seen from above, in shadow from column `umbra` on; pixels of 1 cm, a sun overhead, a blocker 1 m away.
+/// A level floor seen from above, in shadow from column `umbra` on; pixels of 1 cm, a sun overhead.
 struct Case {
     Receivers receivers;
     ShadowTruth truth;
@@ -32,16 +33,12 @@ struct Case {
         truth.irradianceShare.assign(kCount, 1.0f);
         truth.irradiance.assign(kCount, 1.0f);
         truth.cosine.assign(kCount, 1.0f);
-        truth.blockerDistance_m.assign(kCount, std::numeric_limits<float>::infinity());
         truth.lightDistance_m.assign(kCount, std::numeric_limits<float>::infinity());
-        truth.blockerInstance.assign(kCount, kNoHit);
         truth.mask.assign(kCount, Mask::Valid);
         for (int y = 0; y < kHeight; ++y)
-            for (int x = umbra; x < kWidth; ++x) {
-                truth.visibility[at(x, y)] = 0;
-                truth.blockerDistance_m[at(x, y)] = 1;
-                truth.blockerInstance[at(x, y)] = 1;
-            }
+            for (int x = umbra; x < kWidth; ++x) truth.visibility[at(x, y)] = 0;
+        // For cases that give the light a size.
+        truth.centreSeen.assign(truth.visibility.begin(), truth.visibility.end());
         picture = truth.visibility;
     }
 
@@ -58,6 +55,41 @@ inline ShadowQuestion withTexels(const TexelFootprint& footprint) {
     question.footprint = footprint;
     return question;
 }
+
+/// Features that give one answer everywhere but for single pixels' blockers, and remember what they were asked.
+struct Answers {
+    LightSurroundings around;
+    int layers = 1;
+    std::vector<float> blockerDistance_m = std::vector<float>(kCount, 1.0f);
+    std::vector<std::uint32_t> asked, askedBlockers;
+    ShadowFeatures features;
+
+    Answers() {
+        features.shadingCosine.assign(kCount, 1.0f);
+        features.surroundings = [this](const std::vector<std::uint32_t>& pixels, const std::vector<float>& reach_m) {
+            EXPECT_EQ(pixels.size(), reach_m.size());
+            asked = pixels;
+            return std::vector<LightSurroundings>(pixels.size(), around);
+        };
+        features.layers = [this](const std::vector<std::uint32_t>& pixels) {
+            return std::vector<int>(pixels.size(), layers);
+        };
+        features.blockers = [this](const std::vector<std::uint32_t>& pixels) {
+            askedBlockers.insert(askedBlockers.end(), pixels.begin(), pixels.end());
+            std::vector<Blocker> found;
+            for (const std::uint32_t i : pixels) found.push_back({blockerDistance_m[i], 1});
+            return found;
+        };
+    }
+    Answers(const Answers&) = delete;
+    Answers& operator=(const Answers&) = delete;
+
+    ShadowQuestion question(const TexelFootprint& footprint) const {
+        ShadowQuestion q = withTexels(footprint);
+        q.features = &features;
+        return q;
+    }
+};
 
 /// Texels that are as fine as the pixels of the case.
 inline const TexelFootprint kFineTexels{0.005, 0, 0};

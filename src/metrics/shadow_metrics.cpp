@@ -42,8 +42,8 @@ void check(std::span<const float> visibility, const ShadowTruth& truth, const Re
     const std::size_t n = std::size_t(truth.width) * std::size_t(truth.height);
     const auto fits = [&](const std::vector<bool>& mask) { return mask.empty() || mask.size() == n; };
     if (visibility.size() != n || truth.visibility.size() != n || truth.mask.size() != n ||
-        receivers.pixelSize_m.size() != n || !fits(question.inDomain) || !fits(question.inRange) ||
-        (question.features && question.features->shadingCosine.size() != n))
+        (truth.soft && truth.centreSeen.size() != n) || receivers.pixelSize_m.size() != n || !fits(question.inDomain) ||
+        !fits(question.inRange) || (question.features && question.features->shadingCosine.size() != n))
         throw Error(ErrorCode::Usage, "the picture, its truth and the receivers differ in size",
                     "The truth is " + std::to_string(truth.width) + "x" + std::to_string(truth.height) + ".");
 }

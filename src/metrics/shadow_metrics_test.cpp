@@ -93,24 +93,25 @@ TEST(ShadowMetrics, KernelDistanceAndGrazingLightWidenTheAliasZone) {
 
 TEST(ShadowMetrics, LightUnderANearBlockerIsAContactGap) {
     Case c;
+    Answers answers;
     int planted = 0;
     for (int y = 10; y < 20; ++y)
         for (int x = 50; x < 60; ++x, ++planted) {
             c.picture[c.at(x, y)] = 1;
-            c.truth.blockerDistance_m[c.at(x, y)] = 0.03f;  // under 4 pixels
+            answers.blockerDistance_m[c.at(x, y)] = 0.03f;  // under 4 pixels
         }
     const double share = double(planted) / kCount;
-    expectOnly(c.measure(), "contact_gap", share);
+    expectOnly(c.measure(answers.question({})), "contact_gap", share);
     // With fine texels the blocker is far, and the same pixels are a leak.
     TexelFootprint fine;
     fine.texel_m = 0.005;
-    expectOnly(c.measure(withTexels(fine)), "leak", share);
+    expectOnly(c.measure(answers.question(fine)), "leak", share);
     // At the edge, too, it is a contact gap first.
     for (int y = 0; y < kHeight; ++y) {
         c.picture[c.at(kWidth / 2, y)] = 1;
-        c.truth.blockerDistance_m[c.at(kWidth / 2, y)] = 0.001f;
+        answers.blockerDistance_m[c.at(kWidth / 2, y)] = 0.001f;
     }
-    expectOnly(c.measure(), "contact_gap", share + 1.0 / kWidth);
+    expectOnly(c.measure(answers.question({})), "contact_gap", share + 1.0 / kWidth);
 }
 
 TEST(ShadowMetrics, LightFarInsideTheUmbraIsALeak) {
@@ -187,14 +188,15 @@ TEST(ShadowMetrics, WrongInTheDomainAndInTheLight) {
 
 TEST(ShadowMetrics, ClassesPartitionOver) {
     Case c;
+    Answers answers;
     c.truth.soft = true;
     for (std::size_t i = 0; i < kCount; ++i) {
         c.picture[i] = float((i * 7919) % 101) / 100;
         if (i % 5 == 0) c.truth.visibility[i] = 0.5f;
-        if (i % 11 == 0) c.truth.blockerDistance_m[i] = 0.01f;
+        if (i % 11 == 0) answers.blockerDistance_m[i] = 0.01f;
         if (i % 13 == 0) c.truth.mask[i] = Mask::Disagree;
     }
-    ShadowQuestion question;
+    ShadowQuestion question = answers.question({});
     for (std::size_t i = 0; i < kCount; ++i) question.inRange.push_back(i % 7 != 0);
     const ShadowMeasurement m = c.measure(question);
     // Exactly: every valid pixel is counted once, and all that are not right are over.
@@ -253,6 +255,11 @@ TEST(ShadowMetrics, SizesMustAgree) {
     const ShadowFeatures features;
     question.features = &features;
     EXPECT_THROW(c.measure(question), Error);
+    c.truth.soft = true;
+    c.truth.centreSeen.pop_back();
+    EXPECT_THROW(c.measure(), Error);
+    c.truth.soft = false;
+    EXPECT_NO_THROW(c.measure());
     c.picture.pop_back();
     EXPECT_THROW(c.measure(), Error);
 }

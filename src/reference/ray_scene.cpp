@@ -166,6 +166,18 @@ bool RayScene::occluded(const Ray& ray) const {
     return r.tfar < 0;
 }
 
+std::uint32_t RayScene::occluded(const Ray* rays, int count) const {
+    RayContext context = m_impl->context(rays);
+    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    alignas(64) int valid[RayBundle::kSize]{};
+    RTCRay16 packet{};
+    setRays(packet, rays, count, valid);
+    rtcOccluded16(valid, m_impl->embree.get(), &context.base, &packet);
+    std::uint32_t blocked = 0;
+    for (int i = 0; i < count; ++i) blocked |= std::uint32_t(packet.tfar[i] < 0) << i;
+    return blocked;
+}
+
 RayOrigin RayScene::startAt(const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t ownTriangle,
                             const std::vector<bool>* instances) const {
     RayOrigin origin{position, normal, ownTriangle, instances, false};
@@ -243,23 +255,6 @@ std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
     rtcIntersect1(m_impl->embree.get(), &context.base, &r);
     if (r.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
     return m_impl->refined(ray, {context.triangleOf(r.hit.geomID, r.hit.primID), r.hit.u, r.hit.v, r.ray.tfar});
-}
-
-void RayScene::nearest(const Ray* rays, int count, Blockers& found) const {
-    RayContext context = m_impl->context(rays);
-    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    alignas(64) int valid[RayBundle::kSize]{};
-    RTCRayHit16 packet{};
-    setRays(packet.ray, rays, count, valid);
-    for (unsigned& geometry : packet.hit.geomID) geometry = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect16(valid, m_impl->embree.get(), &context.base, &packet);
-    for (int i = 0; i < count; ++i) {
-        const auto k = std::size_t(i);
-        found.triangle[k] = 0xffffffffu;
-        if (packet.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID) continue;
-        found.triangle[k] = context.triangleOf(packet.hit.geomID[i], packet.hit.primID[i]);
-        found.distance_m[k] = m_impl->refined(rays[i], {found.triangle[k], 0, 0, packet.ray.tfar[i]}).distance_m;
-    }
 }
 
 void RayScene::crossings(const Ray& ray, std::vector<RayCrossing>& found) const {

@@ -61,16 +61,11 @@ public:
     RayScene& operator=(const RayScene&) = delete;
 
     bool occluded(const Ray& ray) const;
+
+    /// The same for up to RayBundle::kSize rays that start and end near each other, one bit each.
+    std::uint32_t occluded(const Ray* rays, int count) const;
+
     std::optional<RayHit> nearest(const Ray& ray) const;
-
-    /// What is nearest along each of up to RayBundle::kSize rays.
-    struct Blockers {
-        std::array<std::uint32_t, RayBundle::kSize> triangle;  ///< 0xffffffff where nothing is
-        std::array<double, RayBundle::kSize> distance_m;
-    };
-
-    /// The same for up to RayBundle::kSize rays that start and end near each other.
-    void nearest(const Ray* rays, int count, Blockers& found) const;
 
     /// Looks around the point once. `instances` as in Ray.
     RayOrigin startAt(const glm::dvec3& position, const glm::dvec3& normal, std::uint32_t ownTriangle,

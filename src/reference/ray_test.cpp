@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a ray may and may not hit: contacts, the receiver's own triangle, holes, models left out.
 #include <algorithm>
+#include <array>
+#include <limits>
 
 #include "reference/ray_scene.h"
 #include "reference/test_scenes.h"
@@ -58,19 +60,19 @@ TEST(Contact, PicturesSeeTheGapToo) {
         const auto options = test::picture(32, 32);
         const Receivers receivers = reference.receivers(scene.cameras[0], options);
         const ShadowTruth truth = reference.shadow(receivers, scene.cameras[0], 0, options);
-        int inShadow = 0;
+        std::vector<std::uint32_t> inShadow;
         for (std::size_t i = 0; i < truth.mask.size(); ++i) {
             if (truth.mask[i] != Mask::Valid || receivers.instance[i] != 0) continue;
             const double x = double(receivers.distance_m[i]);  // the rays are nearly level
             if (std::abs(x - 0.3) < 1e-4) continue;
             EXPECT_EQ(truth.visibility[i], x > 0.3 ? 0.0f : 1.0f);
-            if (x > 0.3) {
-                EXPECT_NEAR(truth.blockerDistance_m[i], 0.001, 1e-6);
-                EXPECT_EQ(truth.blockerInstance[i], 1u);
-                ++inShadow;
-            }
+            if (x > 0.3) inShadow.push_back(std::uint32_t(i));
         }
-        EXPECT_GE(inShadow, 100);
+        EXPECT_GE(inShadow.size(), 100u);
+        for (const Blocker& blocker : reference.shadowFeatures(receivers, 0, options).blockers(inShadow)) {
+            EXPECT_NEAR(blocker.distance_m, 0.001, 1e-6);
+            EXPECT_EQ(blocker.instance, 1u);
+        }
     }
 }
 
@@ -134,6 +136,44 @@ TEST(OwnTriangle, NeighboursInOnePlaneDoNotBlockGrazingRays) {
     EXPECT_EQ(count(truth.mask, Mask::Valid), truth.mask.size());
     EXPECT_EQ(std::count(truth.visibility.begin(), truth.visibility.end(), 1.0f),
               std::ptrdiff_t(truth.visibility.size()));
+}
+
+TEST(Packets, SayWhatEachRayAloneWouldSay) {
+    // From all over a body of cavities and creases in all directions, from very near and through its own triangles.
+    const Scene scene = loadScene("menger");
+    const FlatScene flat = flatten(scene);
+    const RayScene rays(scene, flat);
+    std::vector<bool> none(flat.instances.size(), false);
+    std::uint32_t state = 1;
+    const auto random = [&] { return double((state = state * 1664525u + 1013904223u) >> 8) / (1 << 24); };
+    int blocked = 0, free = 0;
+    for (int packet = 0; packet < 2000; ++packet) {
+        std::array<Ray, RayBundle::kSize> bundle;
+        const int count = 1 + packet % RayBundle::kSize;
+        for (int i = 0; i < count; ++i) {
+            Ray& ray = bundle[std::size_t(i)];
+            const auto triangle = std::uint32_t(random() * double(flat.triangles.size()));
+            const glm::uvec3 t = flat.triangles[triangle];
+            const double u = random(), v = random() * (1 - u);
+            ray.origin = glm::dvec3(flat.positions[t.x]) * (1 - u - v) + glm::dvec3(flat.positions[t.y]) * u +
+                         glm::dvec3(flat.positions[t.z]) * v;
+            do ray.direction = glm::dvec3(random(), random(), random()) * 2.0 - 1.0;
+            while (glm::length(ray.direction) < 0.1);
+            ray.direction = glm::normalize(ray.direction);
+            ray.length_m = i % 3 == 0 ? 0.05 : i % 3 == 1 ? 1.0 : std::numeric_limits<double>::infinity();
+            if (i % 4 != 0) ray.ownTriangle = triangle;
+            if (i % 7 == 0) ray.instances = &none;
+        }
+        const std::uint32_t found = rays.occluded(bundle.data(), count);
+        for (int i = 0; i < count; ++i) {
+            const bool alone = rays.occluded(bundle[std::size_t(i)]);
+            EXPECT_EQ((found >> i & 1u) != 0, alone) << "packet " << packet << ", ray " << i;
+            ++(alone ? blocked : free);
+        }
+        EXPECT_EQ(found >> count, 0u) << "lanes beyond the last";
+    }
+    EXPECT_GT(blocked, 1000);
+    EXPECT_GT(free, 1000);
 }
 
 /// A plate of 1 m above a floor, cut out by a texture of 2x2 texels whose top left and bottom right ones are open.

@@ -14,12 +14,11 @@ namespace {
 /// Every array's first touch costs about as much as a tenth of a hard ray a pixel: by turns on all threads.
 void resize(ShadowTruth& t, std::size_t count, const ReferenceOptions& options) {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
-    const std::array<std::pair<std::vector<float>*, float>, 7> planes = {{{&t.visibility, 1.0f},
+    const std::array<std::pair<std::vector<float>*, float>, 6> planes = {{{&t.visibility, 1.0f},
                                                                           {&t.standardError, 0.0f},
                                                                           {&t.irradianceShare, 1.0f},
                                                                           {&t.irradiance, 0.0f},
                                                                           {&t.cosine, 0.0f},
-                                                                          {&t.blockerDistance_m, kInfinite},
                                                                           {&t.lightDistance_m, kInfinite}}};
     ReferenceOptions quiet = options;
     quiet.progress = nullptr;
@@ -27,7 +26,7 @@ void resize(ShadowTruth& t, std::size_t count, const ReferenceOptions& options) 
         if (std::size_t(i) < planes.size()) {
             planes[std::size_t(i)].first->assign(count, planes[std::size_t(i)].second);
         } else {
-            t.blockerInstance.assign(count, kNoHit);
+            if (t.soft) t.centreSeen.assign(count, 0);
             t.mask.assign(count, Mask::Sky);
         }
     });
@@ -147,8 +146,7 @@ Reference::Estimate Reference::shadowAt(const glm::dvec3& point, const glm::dvec
     const Mask mask = shape.mask(p.position, p.normal);
     if (mask != Mask::Valid) return {maskedVisibility(mask), 0};
     const LightSample centre = shape.centre(p.position);
-    const bool seen = mayBeSeen(p, centre) && !m_impl->rays.occluded(rayTo(m_impl->rays, p, centre, &casters));
-    return {seen ? 1.0 : 0.0, 0};
+    return {isSeen(m_impl->rays, p, centre, &casters) ? 1.0 : 0.0, 0};
 }
 
 }  // namespace ombrage

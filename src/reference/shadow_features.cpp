@@ -55,6 +55,11 @@ public:
         return found;
     }
 
+    Blocker blocker(const SurfacePoint& point) const {
+        const auto hit = m_rays.nearest(rayFrom(point, m_shape.centre(point.position), glm::dvec3(0.0)));
+        return hit ? Blocker{float(hit->distance_m), m_flat.triangleInstance[hit->triangle]} : Blocker{};
+    }
+
     int layers(const SurfacePoint& point) const {
         std::vector<RayCrossing> crossings;
         m_rays.crossings(rayFrom(point, m_shape.centre(point.position), glm::dvec3(0.0)), crossings);
@@ -146,6 +151,11 @@ ShadowFeatures Reference::shadowFeatures(const Receivers& receivers, int light, 
                 float(glm::dot(probe->shape().centre(point.position).direction, point.shadingNormal));
         }
     });
+    features.blockers = [probe, quiet](const std::vector<std::uint32_t>& pixels) {
+        std::vector<Blocker> found(pixels.size());
+        probe->each(pixels, quiet, [&](std::size_t k, const SurfacePoint& point) { found[k] = probe->blocker(point); });
+        return found;
+    };
     features.surroundings = [probe, quiet](const std::vector<std::uint32_t>& pixels,
                                            const std::vector<float>& reach_m) {
         if (pixels.size() != reach_m.size())

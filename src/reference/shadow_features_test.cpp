@@ -31,6 +31,7 @@ public:
     LightSurroundings around(double x, double y, double reach_m) const {
         return m_features.surroundings({at(x, y)}, {float(reach_m)}).front();
     }
+    Blocker blocker(double x, double y) const { return m_features.blockers({at(x, y)}).front(); }
     int layers(double x, double y) const { return m_features.layers({at(x, y)}).front(); }
     float shadingCosine(double x, double y) const { return m_features.shadingCosine[at(x, y)]; }
     const Receivers& receivers() const { return m_receivers; }
@@ -111,6 +112,41 @@ TEST(ShadowFeatures, KnowWhoCasts) {
     EXPECT_THROW(Probe(scene, options), Error);
 }
 
+TEST(ShadowFeatures, TellTheNearestBlocker) {
+    // Over x > 0 a plate 1 m up and another 40 cm up over x > 1, in a sun whose rays rise by 1 m a metre towards +x:
+    // from x the lower one begins at x + 0.4 > 1, the upper one at x + 1 > 0.
+    Scene scene = floorUnder({-1, 0, -1});
+    add(scene, slab(0, 5, 5, 1));
+    add(scene, slab(1, 5, 5, 0.4f));
+    scene.cameras[0].position = {0, 0, 0.2};
+    const Probe probe(scene);
+    // 1e-6: the plate's height as a float.
+    const auto expect = [](const Blocker& found, std::uint32_t instance, double height_m) {
+        EXPECT_EQ(found.instance, instance);
+        EXPECT_NEAR(found.distance_m, height_m * std::sqrt(2.0), 1e-6);
+    };
+    expect(probe.blocker(0.8, 0.3), 2, 0.4);
+    expect(probe.blocker(0.3, 0.3), 1, 1);
+    expect(probe.blocker(-0.8, 0.3), 1, 1);
+    EXPECT_EQ(probe.blocker(-1.3, 0.3).instance, kNoHit);
+    EXPECT_EQ(probe.blocker(-1.3, 0.3).distance_m, std::numeric_limits<float>::infinity());
+
+    // Those that cast no shadow block nothing, and of itself alone the floor is free.
+    scene.models[2].casts = false;
+    expect(Probe(scene).blocker(0.8, 0.3), 1, 1);
+    ReferenceOptions options = picture(kSize, kSize);
+    options.kind = TruthKind::Self;
+    EXPECT_EQ(Probe(scene, options).blocker(0.8, 0.3).instance, kNoHit);
+
+    // A lamp between the plates, above a pixel's middle: only the lower one can be in its way.
+    scene.models[2].casts = true;
+    scene.lights = {point({1.78125, 0.28125, 0.7})};
+    const Probe lamp(scene);
+    EXPECT_EQ(lamp.blocker(1.78125, 0.28125).instance, 2u);
+    EXPECT_NEAR(lamp.blocker(1.78125, 0.28125).distance_m, 0.4, 1e-6);
+    EXPECT_EQ(lamp.blocker(-0.3, 0.3).instance, kNoHit);
+}
+
 TEST(ShadowFeatures, CountTheBodiesInTheWay) {
     // A box and a plate over x > 1, the plate alone over 0 to 1.
     Scene scene = floorUnder({0, 0, -1});
@@ -133,6 +169,7 @@ TEST(ShadowFeatures, ReachALampAndNoFarther) {
     const Probe probe(scene);
     EXPECT_FALSE(probe.around(0.3, 0.2, 0.2).shaded);
     EXPECT_EQ(probe.layers(0.3, 0.2), 0);
+    EXPECT_EQ(probe.blocker(0.3, 0.2).instance, kNoHit);
 }
 
 TEST(ShadowFeatures, HoldTheShadingCosineAndPositions) {

@@ -25,6 +25,11 @@ Ray rayTo(const RayScene& rays, const SurfacePoint& point, const LightSample& s,
     return ray;
 }
 
+bool isSeen(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters) {
+    // Parts below the geometric horizon and parts that turn their back count as blocked.
+    return s.facing && glm::dot(s.direction, point.normal) > 0 && !rays.occluded(rayTo(rays, point, s, casters));
+}
+
 /// Where a hard ray goes.
 struct ShadowRows::Aim {
     glm::dvec3 from;
@@ -62,11 +67,6 @@ float ShadowRows::irradianceOf(const LightSample& centre, const glm::dvec3& shad
     return float(centre.irradiance * std::max(0.0, glm::dot(centre.direction, shadingNormal))) * m_luminance;
 }
 
-void ShadowRows::keepBlocker(std::size_t i, std::uint32_t triangle, double distance_m) {
-    m_truth.blockerDistance_m[i] = float(distance_m);
-    m_truth.blockerInstance[i] = m_flat.triangleInstance[triangle];
-}
-
 void ShadowRows::soft(int y, const SampleSets& sets, const std::function<std::uint32_t(std::size_t)>& seedOf) {
     SurfacePoints points(m_flat, m_receivers, m_rays.positionError_m(0));
     const std::size_t first = std::size_t(y) * std::size_t(m_receivers.width);
@@ -91,10 +91,8 @@ void ShadowRows::soft(int y, const SampleSets& sets, const std::function<std::ui
         m_truth.standardError[i] = float(truth.standardError);
         m_truth.irradianceShare[i] = float(truth.irradianceShare);
         m_truth.irradiance[i] = float(truth.irradiance) * m_luminance;
-        if (truth.mask != Mask::Valid) continue;
-        // The blocker that a hard shadow would come from.
-        if (const auto hit = m_rays.nearest(rayTo(m_rays, point, centre, casters)))
-            keepBlocker(i, hit->triangle, hit->distance_m);
+        // What a hard shadow would tell.
+        if (truth.mask == Mask::Valid) m_truth.centreSeen[i] = isSeen(m_rays, point, centre, casters);
     }
 }
 
@@ -170,17 +168,12 @@ void ShadowRows::enqueue(std::size_t i, const Aim& aim, Queue& queue) {
     if (queue.count == RayBundle::kSize) flush(queue);
 }
 
-/// One ray tells both whether the light is seen and what is in the way.
 void ShadowRows::flush(Queue& queue) {
     if (queue.count == 0) return;
-    RayScene::Blockers found;
-    m_rays.nearest(queue.rays.data(), queue.count, found);
-    for (std::size_t k = 0; k < std::size_t(queue.count); ++k) {
-        const std::size_t i = queue.pixels[k];
-        if (found.triangle[k] != kNoHit)
-            keepBlocker(i, found.triangle[k], found.distance_m[k]);
-        else
-            m_truth.visibility[i] = m_truth.irradianceShare[i] = 1;
+    const std::uint32_t blocked = m_rays.occluded(queue.rays.data(), queue.count);
+    for (int k = 0; k < queue.count; ++k) {
+        const std::size_t i = queue.pixels[std::size_t(k)];
+        if (!(blocked >> k & 1u)) m_truth.visibility[i] = m_truth.irradianceShare[i] = 1;
     }
     queue.count = 0;
 }

@@ -11,10 +11,8 @@ namespace ombrage {
 /// The ray from a point to the light's centre, ending just before it.
 Ray rayTo(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters);
 
-/// Parts below the geometric horizon and parts that turn their back count as blocked.
-inline bool mayBeSeen(const SurfacePoint& point, const LightSample& s) {
-    return s.facing && glm::dot(s.direction, point.normal) > 0;
-}
+/// Whether a point sees that part of a light.
+bool isSeen(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters);
 
 /// What masked pixels show: dark where the light cannot reach, lit where nothing is asked.
 inline double maskedVisibility(Mask mask) {
@@ -50,7 +48,6 @@ private:
     void hardPixel(std::size_t i, Band& band);
     void enqueue(std::size_t i, const Aim& aim, Queue& queue);
     void flush(Queue& queue);
-    void keepBlocker(std::size_t i, std::uint32_t triangle, double distance_m);
 
     const FlatScene& m_flat;
     const RayScene& m_rays;

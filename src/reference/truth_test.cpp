@@ -89,12 +89,42 @@ TEST(Truth, SameBitsOnAnyNumberOfThreads) {
     EXPECT_EQ(s1.visibility, s2.visibility);
     EXPECT_EQ(s1.standardError, s2.standardError);
     EXPECT_EQ(s1.irradianceShare, s2.irradianceShare);
-    EXPECT_EQ(s1.blockerDistance_m, s2.blockerDistance_m);
+    EXPECT_EQ(s1.centreSeen, s2.centreSeen);
     EXPECT_EQ(a1.visibility, a2.visibility);
     EXPECT_EQ(s1.meanStandardError, s2.meanStandardError);
 
     options.seed = 7;
     EXPECT_NE(reference.ao(r2, scene.cameras[0], options).visibility, a2.visibility);
+}
+
+TEST(Truth, TellsWhetherTheCentreOfASoftLightIsSeen) {
+    // A plate 1 m above x > 0 of a floor; the sun is 0.1 rad wide and its centre straight above.
+    Scene scene;
+    test::add(scene, test::slab(-2, 2, 2, 0));
+    test::add(scene, test::slab(0, 2, 2, 1));
+    scene.lights = {test::sun({0, 0, -1}, 0.1f), test::sun({0, 0, -1}), test::sun({1, 0, 0.02f}, 0.1f)};
+    scene.cameras = {test::camera({0, 0, 0.5}, {0, 0, 0})};
+    scene.cameras[0].orthoHeight_m = 2.0f;
+    const Reference reference(scene);
+    const auto options = test::picture(64, 64, 64);
+    const Receivers receivers = reference.receivers(scene.cameras[0], options);
+    const ShadowTruth soft = reference.shadow(receivers, scene.cameras[0], 0, options);
+    const ShadowTruth hard = reference.shadow(receivers, scene.cameras[0], 1, options);
+    const ShadowTruth low = reference.shadow(receivers, scene.cameras[0], 2, options);
+    EXPECT_TRUE(hard.centreSeen.empty());
+    ASSERT_EQ(soft.centreSeen.size(), soft.mask.size());
+    int partly = 0;
+    for (std::size_t i = 0; i < soft.mask.size(); ++i) {
+        EXPECT_EQ(soft.centreSeen[i], i % 64 < 32 ? 1 : 0) << i;
+        EXPECT_EQ(float(soft.centreSeen[i]), hard.visibility[i]) << i;
+        partly += soft.visibility[i] > 0 && soft.visibility[i] < 1 ? 1 : 0;
+        // Of a setting sun whose centre is below the horizon a part is seen.
+        EXPECT_EQ(low.mask[i], Mask::Valid);
+        EXPECT_EQ(low.centreSeen[i], 0);
+    }
+    // The penumbra is 0.1 m wide: 3 pixels.
+    EXPECT_GE(partly, 2 * 64);
+    EXPECT_GT(*std::max_element(low.visibility.begin(), low.visibility.end()), 0.0f);
 }
 
 TEST(Truth, SampleCountsAreRoundedUpAndHaveDefaults) {

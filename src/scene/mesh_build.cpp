@@ -10,6 +10,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "scene/weld.h"
+
 namespace ombrage {
 
 namespace {
@@ -47,39 +49,24 @@ std::uint32_t copyVertex(Mesh& mesh, std::uint32_t vertex) {
     return std::uint32_t(mesh.positions.size() - 1);
 }
 
-/// Corners grouped by position: corner numbers in `order`, each group from starts[g] to starts[g + 1].
+/// Corners grouped by position: corner numbers in `order`, each group from starts[g] to starts[g + 1]. Groups may be
+/// empty.
 struct CornerGroups {
     std::vector<std::uint32_t> order;
     std::vector<std::uint32_t> starts;
 };
 
 CornerGroups groupByPosition(const Mesh& mesh) {
-    // Number the distinct positions by sorting the vertices, then sort the corners by that number (counting sort).
-    std::vector<std::uint32_t> byPosition(mesh.positions.size());
-    std::iota(byPosition.begin(), byPosition.end(), 0u);
-    const auto less = [&](const glm::vec3& a, const glm::vec3& b) {
-        if (a.x != b.x) return a.x < b.x;
-        return a.y != b.y ? a.y < b.y : a.z < b.z;
-    };
-    byPosition.erase(std::remove_if(byPosition.begin(), byPosition.end(),
-                                    [&](std::uint32_t v) { return !isFinite(mesh.positions[v]); }),
-                     byPosition.end());
-    std::sort(byPosition.begin(), byPosition.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return less(mesh.positions[a], mesh.positions[b]); });
-    std::vector<std::uint32_t> number(mesh.positions.size(), 0);
-    std::uint32_t count = 0;
-    for (std::size_t i = 0; i < byPosition.size(); ++i) {
-        if (i > 0 && mesh.positions[byPosition[i]] != mesh.positions[byPosition[i - 1]]) ++count;
-        number[byPosition[i]] = count;
-    }
+    // A counting sort of the corners by the first vertex at their position; other vertices have no corners.
+    const std::vector<std::uint32_t> welded = weldedVertices(mesh.positions);
     CornerGroups groups;
-    groups.starts.assign(std::size_t(count) + 2, 0);
-    for (const std::uint32_t vertex : mesh.indices) ++groups.starts[number[vertex] + 1];
+    groups.starts.assign(mesh.positions.size() + 1, 0);
+    for (const std::uint32_t vertex : mesh.indices) ++groups.starts[welded[vertex] + 1];
     std::partial_sum(groups.starts.begin(), groups.starts.end(), groups.starts.begin());
     std::vector<std::uint32_t> next(groups.starts.begin(), groups.starts.end() - 1);
     groups.order.resize(mesh.indices.size());
     for (std::size_t corner = 0; corner < mesh.indices.size(); ++corner)
-        groups.order[next[number[mesh.indices[corner]]]++] = std::uint32_t(corner);
+        groups.order[next[welded[mesh.indices[corner]]]++] = std::uint32_t(corner);
     return groups;
 }
 

@@ -1,39 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 #include <ombrage/scene_info.h>
 #include <tbb/parallel_for.h>
 
+#include "scene/weld.h"
+
 namespace ombrage {
 
 namespace {
-/// A number for each vertex, equal where the positions are equal (-0 and 0 are).
-std::vector<std::uint32_t> weldedNumbers(const std::vector<glm::vec3>& positions) {
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const glm::vec3 &p = positions[a], &q = positions[b];
-        if (p.x != q.x) return p.x < q.x;
-        return p.y != q.y ? p.y < q.y : p.z < q.z;
-    });
-    std::vector<std::uint32_t> numbers(positions.size());
-    std::uint32_t number = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i > 0 && positions[order[i]] != positions[order[i - 1]]) ++number;
-        numbers[order[i]] = number;
-    }
-    return numbers;
-}
-
 void countEdges(const Mesh& mesh, MeshInfo& info) {
     // Every side of every triangle, as (smaller corner, larger corner) and the direction in which it runs.
     struct Side {
         std::uint64_t key;
         int direction;
     };
-    const std::vector<std::uint32_t> welded = weldedNumbers(mesh.positions);
+    const std::vector<std::uint32_t> welded = weldedVertices(mesh.positions);
     std::vector<Side> sides;
     sides.reserve(mesh.indices.size());
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

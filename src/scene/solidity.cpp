@@ -1,43 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "scene/solidity.h"
 
-#include <bit>
-#include <cmath>
 #include <numeric>
 #include <unordered_map>
 #include <vector>
 
+#include "core/hash.h"
+#include "scene/weld.h"
+
 namespace ombrage {
 
 namespace {
-
-/// The finaliser of MurmurHash3: every bit of the input moves every bit of the output.
-std::uint64_t mixed(std::uint64_t x) {
-    x = (x ^ (x >> 33)) * 0xff51afd7ed558ccdull;
-    x = (x ^ (x >> 33)) * 0xc4ceb9fe1a85ec53ull;
-    return x ^ (x >> 33);
-}
-
-/// 0 for both zeros.
-std::uint64_t bitsOf(float value) {
-    return value == 0.0f ? 0u : std::bit_cast<std::uint32_t>(value);
-}
-
-struct PositionHash {
-    std::size_t operator()(const glm::vec3& p) const {
-        return mixed(bitsOf(p.x) + mixed(bitsOf(p.y) + mixed(bitsOf(p.z) + 1)));
-    }
-};
-
-/// Per vertex the number of its position.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
-    std::unordered_map<glm::vec3, std::uint32_t, PositionHash> numbers;
-    numbers.reserve(positions.size());
-    std::vector<std::uint32_t> welded(positions.size());
-    for (std::size_t i = 0; i < positions.size(); ++i)
-        welded[i] = numbers.try_emplace(positions[i], std::uint32_t(i)).first->second;
-    return welded;
-}
 
 /// Connected parts by union-find with halved paths.
 class Parts {
@@ -56,7 +29,7 @@ private:
 /// Chances of two edges' counts cancelling by accident are 2^-64: sums of hashes stand for sums of edges.
 bool isClosed(const Mesh& mesh, const std::vector<std::uint32_t>& welded) {
     std::uint64_t balance = 0;
-    const auto edge = [](std::uint64_t from, std::uint64_t to) { return mixed((from << 32 | to) + 1); };
+    const auto edge = [](std::uint64_t from, std::uint64_t to) { return mixedBits((from << 32 | to) + 1); };
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint64_t from = welded[mesh.indices[i + k]], to = welded[mesh.indices[i + (k + 1) % 3]];
@@ -69,7 +42,7 @@ bool isClosed(const Mesh& mesh, const std::vector<std::uint32_t>& welded) {
 
 bool isSolid(const Mesh& mesh) {
     if (mesh.indices.empty()) return false;
-    const std::vector<std::uint32_t> welded = weld(mesh.positions);
+    const std::vector<std::uint32_t> welded = weldedVertices(mesh.positions);
     if (!isClosed(mesh, welded)) return false;
 
     Parts parts(mesh.positions.size());

@@ -43,7 +43,7 @@ std::vector<std::string> defaultModels() {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    int views = 200, width = 640, height = 360;
+    int views = 200, width = 640;
     std::uint64_t firstSeed = 1;
     std::vector<std::string> techniques{"shadow/volume", "shadow/volume-zfail"}, models = defaultModels();
     std::string folder;
@@ -55,7 +55,7 @@ int main(int argc, char** argv) try {
     app.add_option("--model", models, "built-in scenes and model files (menger, and four of OMBRAGE_DATA)");
     app.add_option("-o", folder, "folder for pictures of the worst views");
     CLI11_PARSE(app, argc, argv);
-    height = width * 9 / 16;
+    const int height = width * 9 / 16;
 
     Renderer renderer;
     std::vector<Outcome> all;

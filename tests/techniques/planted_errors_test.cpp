@@ -3,6 +3,7 @@
 // names no other's. Where to plant is told from the truth without the classes' own rules.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -24,6 +25,12 @@ public:
         picture = truth.visibility;
         labels.assign(kPixels, ErrorClass::None);
         question.features = &m_bench.features("", m_light);
+        std::vector<std::uint32_t> dark;
+        for (std::size_t i = 0; i < kPixels; ++i)
+            if (truth.mask[i] == Mask::Valid && truth.visibility[i] == 0) dark.push_back(std::uint32_t(i));
+        const std::vector<Blocker> blockers = question.features->blockers(dark);
+        blockerDistance_m.assign(kPixels, std::numeric_limits<float>::infinity());
+        for (std::size_t k = 0; k < dark.size(); ++k) blockerDistance_m[dark[k]] = blockers[k].distance_m;
         const auto distanceTo = [&](auto marked) {
             std::vector<bool> marks(kPixels);
             for (std::size_t i = 0; i < kPixels; ++i) marks[i] = marked(i);
@@ -61,6 +68,7 @@ public:
     std::vector<float> picture;
     std::vector<ErrorClass> labels;
     ShadowQuestion question;
+    std::vector<float> blockerDistance_m;     ///< of pixels in full shadow
     std::vector<float> toLit_px, toShade_px;  ///< other pixels that are not measured count as both
 
 private:
@@ -88,15 +96,15 @@ TEST(PlantedErrors, OfAMapAreToldApart) {
                 if (y % 2 == 0) p.plant(i, isLit ? 0 : 1, ErrorClass::Missing);
             } else if (isLit && p.toShade_px[i] > kFarFromEdges_px && (x + 2 * y) % 5 < 2) {
                 p.plant(i, 0, ErrorClass::Acne);
-            } else if (!isLit && double(p.truth.blockerDistance_m[i]) < 2 * kTexel_m) {
+            } else if (!isLit && double(p.blockerDistance_m[i]) < 2 * kTexel_m) {
                 p.plant(i, 1, ErrorClass::ContactGap);
-            } else if (!isLit && p.toLit_px[i] > kFarFromEdges_px &&
-                       double(p.truth.blockerDistance_m[i]) > 10 * kTexel_m && y % 3 == 0) {
+            } else if (!isLit && p.toLit_px[i] > kFarFromEdges_px && double(p.blockerDistance_m[i]) > 10 * kTexel_m &&
+                       y % 3 == 0) {
                 p.plant(i, 0.4f, ErrorClass::Leak);
             } else if (y % 4 < 2) {
                 // Steps of two pixels: the neighbour's answer. Beside a contact that would be to blame, too.
                 const std::size_t j = i - std::size_t(x % 2);
-                const bool isContact = double(p.truth.blockerDistance_m[i]) < 6 * kTexel_m;
+                const bool isContact = double(p.blockerDistance_m[i]) < 6 * kTexel_m;
                 if (!isContact && p.receivers().triangle[i] == p.receivers().triangle[j] &&
                     p.truth.mask[j] == Mask::Valid && p.truth.visibility[j] != p.truth.visibility[i])
                     p.plant(i, p.truth.visibility[j], ErrorClass::Alias);
@@ -121,8 +129,7 @@ TEST(PlantedErrors, OfAVolumeAreFalseShadowsAndLeaks) {
                 p.plant(i, 0, ErrorClass::FalseShadow);
             // Beyond 4 pixels from the blocker, which is a contact.
             const double contact_m = 8 * double(p.receivers().pixelSize_m[i]);
-            if (!isLit && p.toLit_px[i] > kFarFromEdges_px && double(p.truth.blockerDistance_m[i]) > contact_m &&
-                y % 7 < 3)
+            if (!isLit && p.toLit_px[i] > kFarFromEdges_px && double(p.blockerDistance_m[i]) > contact_m && y % 7 < 3)
                 p.plant(i, 1, ErrorClass::Leak);
         }
         p.expectFound({{ErrorClass::FalseShadow, 3000}, {ErrorClass::Leak, 300}});

@@ -8,6 +8,7 @@
 
 #include <ombrage/error.h>
 
+#include "lab/plan.h"
 #include "metrics/error_classes.h"
 #include "technique_case.h"
 
@@ -34,21 +35,7 @@ protected:
             if (spec.id == GetParam() && entry.contains("params"))
                 for (const auto& [key, value] : entry["params"].items())
                     spec.params.emplace_back(key, value.is_string() ? value.get<std::string>() : value.dump());
-        switch (info().family) {
-            case Family::Shadow:
-                settings.shadow = pipeline;
-                break;
-            case Family::Ao:
-            case Family::Filter:
-                settings.ao = pipeline;
-                break;
-            case Family::Indirect:
-                settings.indirect = pipeline;
-                break;
-            case Family::Aa:
-                settings.aa = pipeline;
-                break;
-        }
+        placeOf(info().family, settings) = pipeline;
         return settings;
     }
 

@@ -13,6 +13,7 @@
 #include <ombrage/technique.h>
 
 #include "core/strings.h"
+#include "lab/plan.h"
 #include "render/technique.h"
 #include "scene_pages.h"
 #include "stage_pictures.h"
@@ -84,22 +85,16 @@ void renderPicture(Renderer& renderer, const TechniqueInfo& info, const fs::path
     RenderSettings settings;
     settings.width = 480;
     settings.height = 270;
-    const Pipeline self{{info.id, {}}};
     const bool usesAo = info.family == Family::Ao || info.family == Family::Filter;
-    switch (info.family) {
-        case Family::Shadow: settings.shadow = self; break;
-        case Family::Ao: settings.ao = self; break;
-        case Family::Indirect: settings.indirect = self; break;
-        case Family::Aa: settings.aa = self; break;
-        case Family::Filter:
-            // A filter is shown on the first technique of its family that leaves it something to do.
-            for (const TechniqueInfo& other : techniques())
-                if (other.family == Family::Ao && other.name != "none") {
-                    settings.ao = {{other.id, {}}, {info.id, {}}};
-                    break;
-                }
-            break;
-    }
+    Pipeline& place = placeOf(info.family, settings);
+    place = {{info.id, {}}};
+    // A filter is shown on the first technique of its family that leaves it something to do.
+    if (info.family == Family::Filter)
+        for (const TechniqueInfo& other : techniques())
+            if (other.family == Family::Ao && other.name != "none") {
+                place.insert(place.begin(), {other.id, {}});
+                break;
+            }
     settings.show = {usesAo ? "ao" : "final"};
     const Scene& scene = usesAo ? aoScene : shadowScene;
     renderer.setScene(scene);

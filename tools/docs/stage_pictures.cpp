@@ -10,6 +10,8 @@
 #include <ombrage/scene.h>
 #include <nlohmann/json.hpp>
 
+#include "lab/plan.h"
+
 namespace ombrage::docs {
 
 namespace fs = std::filesystem;
@@ -81,20 +83,7 @@ void renderStagePicture(Renderer& renderer, const StagePicture& picture, const f
     settings.composite = compositeOf(picture.composite);
     settings.show = {picture.show};
     const auto [family, pipeline] = parseTechnique(picture.technique);
-    switch (family) {
-        case Family::Shadow:
-            settings.shadow = pipeline;
-            break;
-        case Family::Indirect:
-            settings.indirect = pipeline;
-            break;
-        case Family::Aa:
-            settings.aa = pipeline;
-            break;
-        default:
-            settings.ao = pipeline;
-            break;
-    }
+    placeOf(family, settings) = pipeline;
     renderer.setScene(scene);
     writeImage(images / picture.file, renderer.render(settings).shown.at(picture.show));
 }

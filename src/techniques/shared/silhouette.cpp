@@ -5,12 +5,13 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 #include <tuple>
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
+
+#include "scene/weld.h"
 
 namespace ombrage {
 
@@ -26,25 +27,6 @@ constexpr std::size_t kBlock = 16;  // triangles that are told apart together
 /// Bound on the error of a rounded plane at a rounded light, as a share of the summands' sizes: four products of two
 /// rounded factors and three sums, six times 2^-24.
 constexpr float kRounding = 6 * 0x1p-24f * 1.01f;
-
-/// Per vertex the first one at the same place. Equal means equal bits, but that -0 is 0.
-std::vector<std::uint32_t> weld(const std::vector<glm::vec3>& positions) {
-    std::vector<std::uint32_t> order(positions.size());
-    std::iota(order.begin(), order.end(), 0u);
-    order.erase(std::remove_if(order.begin(), order.end(), [&](std::uint32_t v) { return !isFinite(positions[v]); }),
-                order.end());
-    tbb::parallel_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        const glm::vec3 &p = positions[a], &q = positions[b];
-        if (p.x != q.x) return p.x < q.x;
-        if (p.y != q.y) return p.y < q.y;
-        if (p.z != q.z) return p.z < q.z;
-        return a < b;
-    });
-    std::vector<std::uint32_t> first(positions.size());
-    for (std::size_t i = 0; i < order.size(); ++i)
-        first[order[i]] = i > 0 && positions[order[i]] == positions[order[i - 1]] ? first[order[i - 1]] : order[i];
-    return first;
-}
 
 /// On which side of the line from a to b the ray from the zero passes. One that meets the line passes it on one side
 /// only, whichever end is named first, so that it does not slip between two triangles.
@@ -64,7 +46,7 @@ struct EdgeUse {
 }  // namespace
 
 MeshTopology::MeshTopology(const Mesh& mesh) {
-    const std::vector<std::uint32_t> welded = weld(mesh.positions);
+    const std::vector<std::uint32_t> welded = weldedVertices(mesh.positions);
     std::vector<EdgeUse> uses;
     uses.reserve(mesh.indices.size());
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
