@@ -42,6 +42,7 @@ struct PcfParams : MapParams {
     float radius_texels = 2.0f;
     int samples = 16;
     Rotation rotation = Rotation::Interleaved;
+    float crease = 6.0f;
     Compare compare = Compare::Texels;
 
     static ParamTable describe() {
@@ -69,6 +70,11 @@ struct PcfParams : MapParams {
                  .effect(ParamEffect::Define)
                  .help("Turns the disk from pixel to pixel, which makes noise of steps: not at all, by interleaved "
                        "gradient noise or by blue noise."),
+             field(&P::crease, "crease")
+                 .range(0, 64)
+                 .tune(0, 16)
+                 .help("Steepest corner of two surfaces, height over width, that does not darken itself: higher, less "
+                       "acne where walls meet; lower, less light at contacts."),
              field(&P::compare, "compare")
                  .effect(ParamEffect::Define)
                  .help("texels: every texel with the receiver's distance at its own centre. hardware: the sampler "

@@ -17,6 +17,17 @@ layout(binding = 5) uniform sampler2DArray t_map;
 #endif
 #endif
 
+// In a concave corner of a right angle the other surface lies before this one's plane by slope + 1/slope for each unit aside: texels farther
+// aside than the nearest one get as much more bias, so that walls do not darken floors. Limited, as contacts lose their shadow there.
+float creaseBias(MapPoint at, vec2 beside) {
+    if (max(beside.x, beside.y) <= 0.5) return 0.0;
+    return min(at.slope + 1.0 / max(at.slope, 1e-3), params.crease) * length(beside) * at.texel_m;
+}
+
+float tapReference(MapPoint at, vec2 center, vec2 beside) {
+    return clamp(lightViewDepth(at.view, mapDistance(at, center, beside) - creaseBias(at, beside)), 0.0, 1.0);
+}
+
 // The share of four texels around a point of the map that are lit, by the distances to it, against one depth.
 #if COMPARE == COMPARE_HARDWARE
 float litAround(MapPoint at, vec2 uv, vec2 beside) {
@@ -63,7 +74,7 @@ float litOf(MapPoint at, float resolution, float perResolution) {
             vec4 weights = vec4(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x);
             for (int k = 0; k < 4; ++k) {
                 vec2 center = (middle + kTexels[k]) * perResolution;
-                float reference = mapReference(at, center, abs(center - at.uv) * resolution);
+                float reference = tapReference(at, center, abs(center - at.uv) * resolution);
                 sum += reference >= stored[k] ? weights[k] : 0.0;
             }
         }
@@ -98,7 +109,7 @@ float litOf(MapPoint at, float resolution, float perResolution) {
         sum += litAround(at, uv, abs(beside));
 #else
         vec2 center = (floor(uv * resolution) + 0.5) * perResolution;
-        float reference = mapReference(at, center, abs(center - at.uv) * resolution);
+        float reference = tapReference(at, center, abs(center - at.uv) * resolution);
 #if LIGHT_VIEWS == 1
         sum += reference >= texture(t_map, center).r ? 1.0 : 0.0;
 #else
