@@ -10,6 +10,7 @@
 #include <ombrage/reference.h>
 #include <glm/gtc/constants.hpp>
 
+#include "random_views/picture.h"
 #include "techniques/shared/silhouette.h"
 
 namespace ombrage::test {
@@ -77,7 +78,7 @@ Stage makeStage(const std::string& nameOrFile) {
     return stage;
 }
 
-std::string arrange(Stage& stage, std::uint64_t seed) {
+Arrangement arrange(Stage& stage, std::uint64_t seed) {
     Numbers numbers(seed);
     Camera camera;
     camera.name = "random";
@@ -95,14 +96,15 @@ std::string arrange(Stage& stage, std::uint64_t seed) {
     light.direction = glm::normalize(glm::vec3(toward));
     light.outer_rad = 0.9f;
     light.inner_rad = 0.7f;
-    light.intensity = 1.0f;
+    // As bright for the model from any distance, for the pictures.
+    light.intensity = light.type == LightType::Sun ? 3.0f : 3.0f * float(glm::dot(toward, toward));
     if (numbers.oneIn(4)) light.range_m = float(glm::length(toward) * numbers.within(0.7, 2));
     stage.scene.cameras = {camera};
     stage.scene.lights = {light};
     stage.scene.animations.clear();
-    return fmt::format("{}{}{}, {} camera", isClose ? "close " : "", lightTypeName(light.type),
-                       std::isfinite(light.range_m) && light.type != LightType::Sun ? " with a range" : "",
-                       camera.orthoHeight_m ? "orthographic" : "perspective");
+    return {camera.orthoHeight_m ? "orthographic" : "perspective",
+            fmt::format("{}{}{}", isClose && light.type != LightType::Sun ? "close " : "", lightTypeName(light.type),
+                        std::isfinite(light.range_m) && light.type != LightType::Sun ? " with a range" : "")};
 }
 
 ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::string& technique, int width, int height) {
@@ -125,16 +127,12 @@ ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::strin
     ViewOutcome outcome;
     outcome.valid = measured.validCount;
     outcome.wrong = measured.metrics.at("wrong").value_or(0.0);
-    outcome.errors = result.picture;
     for (std::size_t i = 0; i < visibility.size(); ++i) {
         if (truth.mask[i] != Mask::Valid) continue;
         outcome.dark += truth.visibility[i] < 0.5f ? 1 : 0;
-        const float e = visibility[i] - truth.visibility[i];
-        if (std::abs(e) <= 0.5f) continue;
-        for (int c = 0; c < 3; ++c) outcome.errors.plane(c)[i] = 0.0f;
-        outcome.errors.plane(e > 0 ? 0 : 2)[i] = 1.0f;
     }
     outcome.dark /= double(std::max<std::size_t>(outcome.valid, 1));
+    if (outcome.wrong > 0) outcome.errors = errorPicture(result.picture, visibility, truth);
     return outcome;
 }
 
