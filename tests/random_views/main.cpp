@@ -103,21 +103,20 @@ int main(int argc, char** argv) try {
         Stage stage = makeStage(model);
         const double budget = stage.closed ? kClosedBudget : kOpenBudget;
         std::vector<std::vector<double>> wrong(techniques.size());
+        const Reference reference(stage.scene);
+        renderer.setScene(stage.scene);
         std::uint64_t seed = firstSeed;
         for (int measured = 0; measured < views; ++seed) {
             const Arrangement arrangement = arrange(stage, seed);
-            bool counts = true;
-            for (std::size_t t = 0; t < techniques.size() && counts; ++t) {
-                Outcome outcome{stage.name, techniques[t], arrangement, seed, {}, budget};
-                outcome.view = measureView(renderer, stage, techniques[t], width, height);
-                counts =
-                    double(outcome.view.valid) >= kLeastValidShare * width * height && outcome.view.dark >= kLeastDark;
-                if (!counts) break;
-                wrong[t].push_back(outcome.view.wrong);
-                failed = failed || outcome.view.wrong > budget;
-                worst[t].add(std::move(outcome));
+            std::vector<ViewOutcome> outcomes = measureView(renderer, reference, stage, techniques, width, height);
+            const ViewOutcome& first = outcomes.front();
+            if (double(first.valid) < kLeastValidShare * width * height || first.dark < kLeastDark) continue;
+            ++measured;
+            for (std::size_t t = 0; t < techniques.size(); ++t) {
+                wrong[t].push_back(outcomes[t].wrong);
+                failed = failed || outcomes[t].wrong > budget;
+                worst[t].add({stage.name, techniques[t], arrangement, seed, std::move(outcomes[t]), budget});
             }
-            measured += counts ? 1 : 0;
         }
         for (std::size_t t = 0; t < techniques.size(); ++t) {
             double sum = 0;

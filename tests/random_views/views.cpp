@@ -107,33 +107,37 @@ Arrangement arrange(Stage& stage, std::uint64_t seed) {
                         std::isfinite(light.range_m) && light.type != LightType::Sun ? " with a range" : "")};
 }
 
-ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::string& technique, int width, int height) {
-    RenderSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.shadow = parsePipeline(Family::Shadow, technique);
-    renderer.setScene(stage.scene);
-    const RenderResult result = renderer.render(settings);
-
-    const Reference reference(stage.scene);
+std::vector<ViewOutcome> measureView(Renderer& renderer, const Reference& reference, const Stage& stage,
+                                     const std::vector<std::string>& techniques, int width, int height) {
     const ReferenceOptions options{.width = width, .height = height};
-    const Receivers receivers = reference.receivers(stage.scene.cameras[0], options);
-    ShadowTruth truth = reference.shadow(receivers, stage.scene.cameras[0], 0, options);
-    maskDisagreement(truth.mask, truth.maskedShare, receivers, result.instance, result.triangle);
-    const std::vector<float> visibility(result.visibility.at(0).plane(0).begin(),
-                                        result.visibility.at(0).plane(0).end());
-    const ShadowMeasurement measured = measureShadow(visibility, truth, receivers);
+    const Camera& camera = stage.scene.cameras[0];
+    const Receivers receivers = reference.receivers(camera, options);
+    const ShadowTruth truth = reference.shadow(receivers, camera, 0, options);
 
-    ViewOutcome outcome;
-    outcome.valid = measured.validCount;
-    outcome.wrong = measured.metrics.at("wrong").value_or(0.0);
-    for (std::size_t i = 0; i < visibility.size(); ++i) {
-        if (truth.mask[i] != Mask::Valid) continue;
-        outcome.dark += truth.visibility[i] < 0.5f ? 1 : 0;
+    std::vector<ViewOutcome> outcomes;
+    renderer.moveScene(stage.scene);
+    for (const std::string& technique : techniques) {
+        RenderSettings settings;
+        settings.width = width;
+        settings.height = height;
+        settings.shadow = parsePipeline(Family::Shadow, technique);
+        const RenderResult result = renderer.render(settings);
+        const auto plane = result.visibility.at(0).plane(0);
+        const std::vector<float> visibility(plane.begin(), plane.end());
+
+        ShadowTruth seen = truth;
+        maskDisagreement(seen.mask, seen.maskedShare, receivers, result.instance, result.triangle);
+        const ShadowMeasurement measured = measureShadow(visibility, seen, receivers);
+        ViewOutcome outcome;
+        outcome.valid = measured.validCount;
+        outcome.wrong = measured.metrics.at("wrong").value_or(0.0);
+        for (std::size_t i = 0; i < visibility.size(); ++i)
+            outcome.dark += seen.mask[i] == Mask::Valid && seen.visibility[i] < 0.5f ? 1 : 0;
+        outcome.dark /= double(std::max<std::size_t>(outcome.valid, 1));
+        if (outcome.wrong > 0) outcome.errors = errorPicture(result.picture, visibility, seen);
+        outcomes.push_back(std::move(outcome));
     }
-    outcome.dark /= double(std::max<std::size_t>(outcome.valid, 1));
-    if (outcome.wrong > 0) outcome.errors = errorPicture(result.picture, visibility, truth);
-    return outcome;
+    return outcomes;
 }
 
 }  // namespace ombrage::test

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <ombrage/image.h>
+#include <ombrage/reference.h>
 #include <ombrage/renderer.h>
 #include <ombrage/scene.h>
 
@@ -39,7 +41,9 @@ struct ViewOutcome {
     Image errors;           ///< as errorPicture() has it; empty where nothing is wrong
 };
 
-/// Renders what is arranged and holds it against the truth.
-ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::string& technique, int width, int height);
+/// Renders what is arranged with each technique and holds it against the truth.
+/// @param renderer whose scene is the stage's @param reference of the stage's scene
+std::vector<ViewOutcome> measureView(Renderer& renderer, const Reference& reference, const Stage& stage,
+                                     const std::vector<std::string>& techniques, int width, int height);
 
 }  // namespace ombrage::test
