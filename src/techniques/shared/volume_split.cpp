@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "techniques/shared/holes.h"
 #include "techniques/shared/near_clip.h"
 
 namespace ombrage {
@@ -22,6 +23,7 @@ VolumeChoice countedByZFail(const FrameContext& frame, const LightFrame& light, 
         const auto& [lower, upper] = frame.gpuScene->instanceBounds(i);
         chosen[i] = clamps(frame, mode) ? frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m())
                                         : nearClip.touches(lower, upper);
+        chosen[i] = chosen[i] || hasHoles(frame, i);
     }
     return chosen;
 }

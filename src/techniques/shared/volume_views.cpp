@@ -16,38 +16,15 @@ constexpr const char* kFill = "volume-fill";
 /// Length of what is shown of a silhouette's sides, in diagonals of the casters' bounds.
 constexpr float kFin = 0.004f;
 
-constexpr const char* kTintPath = "shared/volume_view.frag";
-
-/// The scene in grey, to draw volumes into.
-gl::Texture backdrop(FrameContext& frame) {
-    gl::Texture picture({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "volume view");
-    const gl::Framebuffer target({{&picture}}, {}, "volume view");
-    target.bind();
-    gl::apply({});
-    frame.bindGBuffer();
-    frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/volume_backdrop.frag"}});
-    frame.drawFullscreen();
-    return picture;
-}
-
-/// What is before the surfaces; volumes of any kind of look.
-gl::DrawState overlay() {
-    gl::DrawState state;
-    state.depthTest = true;
-    state.depthFunc = GL_GEQUAL;
-    state.blend = true;
-    return state;
-}
-
 void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, const VolumeChoice& chosen,
                bool edgesOnly) {
     const auto pass = frame.pass(edgesOnly ? "show silhouettes" : "show volumes");
-    const gl::Texture picture = backdrop(frame);
+    const gl::Texture picture = volumeBackdrop(frame);
     const gl::Framebuffer target({{&picture}}, {&frame.gbuffer->depth}, "volume view");
     target.bind();
-    gl::DrawState state = overlay();
+    gl::DrawState state = volumeOverlay();
     gl::apply(state);
-    VolumeLook look{.fragmentPath = kTintPath};
+    VolumeLook look{.fragmentPath = kVolumeTintPath};
     if (!edgesOnly) {
         volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
         state.blend = false;
@@ -68,6 +45,25 @@ void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes
 }
 
 }  // namespace
+
+gl::Texture volumeBackdrop(FrameContext& frame) {
+    gl::Texture picture({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "volume view");
+    const gl::Framebuffer target({{&picture}}, {}, "volume view");
+    target.bind();
+    gl::apply({});
+    frame.bindGBuffer();
+    frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/volume_backdrop.frag"}});
+    frame.drawFullscreen();
+    return picture;
+}
+
+gl::DrawState volumeOverlay() {
+    gl::DrawState state;
+    state.depthTest = true;
+    state.depthFunc = GL_GEQUAL;
+    state.blend = true;
+    return state;
+}
 
 std::vector<PassInfo> volumePasses() {
     return {{kStencil, "count of volumes that hold the visible surface"},
