@@ -35,7 +35,8 @@ vec4 farEnd(vec3 p_world, uint caster) {
 #ifdef FINITE
     return vec4(p_world + normalize(away) * u_distance, 1.0);
 #else
-    return vec4(away, u_infinity);
+    // From a lamp exactly along that ray, however near infinity is; a sun's far ends are one point.
+    return vec4(away + p_world * (u_infinity * u_toward.w), u_infinity);
 #endif
 }
 

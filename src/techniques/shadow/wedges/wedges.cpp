@@ -199,7 +199,7 @@ private:
             frame.program(*this, {{GL_VERTEX_SHADER, "shadow/wedges/wedge.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}},
                           std::move(defines));
         program.set("u_stride", layer.volumes->indicesPerSide());
-        program.set("u_infinity", ShadowVolumes::infinity(frame.view));
+        program.set("u_infinity", ShadowVolumes::infinity(frame));
         program.set("u_sums", layer.sums);
 
         // A command per caster, an instance per side.
