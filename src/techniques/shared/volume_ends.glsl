@@ -35,8 +35,9 @@ vec4 farEnd(vec3 p_world, uint caster) {
 #ifdef FINITE
     return vec4(p_world + normalize(away) * u_distance, 1.0);
 #else
-    // From a lamp exactly along that ray, however near infinity is; a sun's far ends are one point.
-    return vec4(away + p_world * (u_infinity * u_toward.w), u_infinity);
+    // Where infinity is a point, a lamp's far ends lie on their rays all the same; those of a sun are one point.
+    if (u_infinity > 0.0 && u_toward.w != 0.0) away = away / max(length(away), 1e-30) + p_world * u_infinity;
+    return vec4(away, u_infinity);
 #endif
 }
 
