@@ -23,12 +23,6 @@ void applyStencilFace(GLenum face, const DrawState::StencilFace& state) {
     glStencilOpSeparate(face, state.stencilFail, state.depthFail, state.depthPass);
 }
 
-void applyDepthBounds(const std::optional<glm::vec2>& bounds) {
-    if (!epoxy_has_gl_extension("GL_EXT_depth_bounds_test")) return;
-    setEnabled(GL_DEPTH_BOUNDS_TEST_EXT, bounds.has_value());
-    if (bounds) glDepthBoundsEXT(bounds->x, bounds->y);
-}
-
 }  // namespace
 
 void apply(const DrawState& state) {
@@ -61,10 +55,20 @@ void apply(const DrawState& state) {
 
     setEnabled(GL_SCISSOR_TEST, state.scissor.has_value());
     if (state.scissor) glScissor(state.scissor->x, state.scissor->y, state.scissor->width, state.scissor->height);
-    applyDepthBounds(state.depthBounds);
 
     assert(state.clipDistances >= 0 && state.clipDistances <= kMaxClipDistances);
     for (int i = 0; i < kMaxClipDistances; ++i) setEnabled(GLenum(GL_CLIP_DISTANCE0 + i), i < state.clipDistances);
+}
+
+DepthBounds::DepthBounds(const std::optional<glm::vec2>& bounds)
+    : m_on(bounds && epoxy_has_gl_extension("GL_EXT_depth_bounds_test")) {
+    if (!m_on) return;
+    glEnable(GL_DEPTH_BOUNDS_TEST_EXT);
+    glDepthBoundsEXT(bounds->x, bounds->y);
+}
+
+DepthBounds::~DepthBounds() {
+    if (m_on) glDisable(GL_DEPTH_BOUNDS_TEST_EXT);
 }
 
 void beginFrameState() {
@@ -110,8 +114,7 @@ void drawElementsIndirect(const VertexArray& vertices, const Buffer& commands, s
     vertices.bind();
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands.id());
     const std::size_t offset = firstCommand * sizeof(DrawElementsIndirect);
-    glMultiDrawElementsIndirect(mode, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset),
-                                GLsizei(commandCount), 0);
+    glMultiDrawElementsIndirect(mode, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), GLsizei(commandCount), 0);
 }
 
 void drawElements(const VertexArray& vertices, GLenum mode, std::size_t firstIndex, std::size_t count) {

@@ -198,13 +198,24 @@ struct DrawState {
         int x = 0, y = 0, width = 0, height = 0;  ///< pixels, from the lower left corner
         bool operator==(const Rect&) const = default;
     };
-    std::optional<Rect> scissor;            ///< nothing outside of it is drawn
-    std::optional<glm::vec2> depthBounds;   ///< nothing where the stored depth lies outside of it; ignored by drivers
-                                            ///< without Capabilities::depthBoundsTest
+    std::optional<Rect> scissor;  ///< nothing outside of it is drawn
 };
 
 /// Sets all of DrawState. Clip control (lower left, zero to one) is set once by beginFrameState.
 void apply(const DrawState& state);
+
+/// While it lives nothing is drawn where the stored depth lies outside of the bounds (lower, upper). Without bounds,
+/// and with drivers without Capabilities::depthBoundsTest, it does nothing.
+class DepthBounds {
+public:
+    explicit DepthBounds(const std::optional<glm::vec2>& bounds);
+    ~DepthBounds();
+    DepthBounds(const DepthBounds&) = delete;
+    DepthBounds& operator=(const DepthBounds&) = delete;
+
+private:
+    bool m_on;
+};
 
 /// Clip control, pixel store and other once-per-frame state.
 void beginFrameState();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "gl/traffic.h"
 #include "render/recorder.h"
@@ -77,12 +78,11 @@ bool FrameContext::countsSavings() const {
     return recorder->capturing && recorder->countsSavings;
 }
 
-FrameContext::Uncounted::Uncounted(FrameContext& frame) : m_frame(frame) {
-    m_frame.recorder->uncounted = true;
-}
+FrameContext::Uncounted::Uncounted(FrameContext& frame)
+    : m_frame(frame), m_before(std::exchange(frame.recorder->uncounted, true)) {}
 
 FrameContext::Uncounted::~Uncounted() {
-    m_frame.recorder->uncounted = false;
+    m_frame.recorder->uncounted = m_before;
     gl::takeTraffic();  // of no pass
 }
 

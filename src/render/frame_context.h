@@ -133,6 +133,7 @@ public:
 
     private:
         FrameContext& m_frame;
+        bool m_before;
     };
 
     void warn(const std::string& message);

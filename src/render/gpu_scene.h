@@ -113,9 +113,9 @@ public:
     /// What techniques derive from the scene's geometry (adjacency, a ray-tracing tree): made by T(const GpuScene&) at
     /// first use, shared by all of them and kept as long as the scene.
     template <typename T>
-    T& derived() {
+    T& derived() const {
         std::shared_ptr<void>& slot = m_derived[std::type_index(typeid(T))];
-        if (!slot) slot = std::make_shared<T>(static_cast<const GpuScene&>(*this));
+        if (!slot) slot = std::make_shared<T>(*this);
         return *static_cast<T*>(slot.get());
     }
 
@@ -140,7 +140,7 @@ private:
     gl::VertexArray m_positionArray, m_fullArray;
     std::vector<gl::Texture> m_textures;
     std::map<DrawFilter, std::vector<DrawBatch>> m_batches;
-    std::map<std::type_index, std::shared_ptr<void>> m_derived;
+    mutable std::map<std::type_index, std::shared_ptr<void>> m_derived;
 };
 
 }  // namespace ombrage

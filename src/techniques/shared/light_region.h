@@ -13,12 +13,6 @@ struct LightRegion {
     std::optional<glm::vec2> depthBounds;  ///< of the stored, reversed depth
 
     LightRegion(const CameraView& view, const LightFrame& light);
-
-    /// Nothing outside of it is drawn.
-    void limit(gl::DrawState& state) const {
-        state.scissor = scissor;
-        state.depthBounds = depthBounds;
-    }
 };
 
 }  // namespace ombrage

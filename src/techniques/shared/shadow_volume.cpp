@@ -359,7 +359,7 @@ std::uint32_t ShadowVolumes::indicesPerSide() const {
     return m_key->type != LightType::Sun || m_key->options.end() ? 6 : 3;
 }
 
-std::vector<glm::uvec2> ShadowVolumes::silhouette(GpuScene& gpuScene, std::size_t i) const {
+std::vector<glm::uvec2> ShadowVolumes::silhouette(const GpuScene& gpuScene, std::size_t i) const {
     VolumeRequest request = this->request(gpuScene, i);
     request.faces = VolumeFaces::Silhouette;
     request.finite = true;

@@ -120,7 +120,7 @@ public:
     const ShadowVolumeOptions& options() const { return m_key->options; }
 
     /// The edges of an instance's mesh that bound its volume, as pairs of the mesh's vertices; found on the processor.
-    std::vector<glm::uvec2> silhouette(GpuScene& scene, std::size_t instance) const;
+    std::vector<glm::uvec2> silhouette(const GpuScene& scene, std::size_t instance) const;
 
     /// How many of the chosen instances' volumes hold the point, in the space moved by the scene's origin.
     int around(const FrameContext& frame, const LightFrame& light, const glm::vec3& p,

@@ -48,24 +48,25 @@ gl::DrawState VolumeCounter::state() const {
         }
         state.stencilWriteMask = kAllBits & ~GLuint(m_maskBit);
     }
-    m_region.limit(state);
+    state.scissor = m_region.scissor;
     return state;
 }
 
 void VolumeCounter::draw(gl::DrawState state, VolumePart first, VolumePart last, const VolumeChoice& chosen,
                          VolumeLook look) const {
     if (m_addsFragments) {
-        const gl::DrawState& counting = state;
         gl::DrawState adding;
         adding.blend = true;
-        adding.depthClamp = counting.depthClamp;
-        adding.clipDistances = counting.clipDistances;
-        adding.scissor = counting.scissor;
+        adding.depthClamp = state.depthClamp;
+        adding.clipDistances = state.clipDistances;
+        adding.scissor = state.scissor;
         look.fragmentPath = "shared/volume_one.frag";
         gl::apply(adding);
         m_volumes.draw(m_frame, m_light, first, last, chosen, look);
         return;
     }
+    // Beyond them the light does not matter, and the count stays that of the eye.
+    const gl::DepthBounds bounds(m_region.depthBounds);
     if (m_twoSided) {
         gl::apply(state);
         m_volumes.draw(m_frame, m_light, first, last, chosen, look);
@@ -160,8 +161,7 @@ void VolumeCounter::darken(const gl::Texture& visibility) const {
     // The highest bit alone means that nothing holds the point.
     state.stencilFront.func = state.stencilBack.func = m_maskBit != 0 ? GL_LESS : GL_NOTEQUAL;
     state.stencilFront.reference = state.stencilBack.reference = m_maskBit;
-    m_region.limit(state);
-    state.depthBounds.reset();  // outside of them the count is that of the eye, and the light does not matter
+    state.scissor = m_region.scissor;
     if (m_region.empty) return;
     gl::apply(state);
     m_frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/dark.frag"}});

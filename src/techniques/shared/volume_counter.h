@@ -38,8 +38,11 @@ public:
     /// From now on every fragment of a volume adds 1 to an R32F image of the picture's size, and nothing else happens.
     void addFragmentsTo(const gl::Texture& image);
 
-    /// Only pixels whose stencil has the highest bit are counted, in the bits below it; call before begin().
-    void restrictToMarked() { m_maskBit = 0x80; }
+    /// The stencil's bit that a pixel needs to be counted, after restrictToMarked(); the count has the bits below.
+    static constexpr int kMarked = 0x80;
+
+    /// Only marked pixels are counted; call before begin().
+    void restrictToMarked() { m_maskBit = kMarked; }
 
     /// Sets that bit where the mask, one channel of the picture's size, is not 0; after begin().
     void mark(const gl::Texture& mask) const;

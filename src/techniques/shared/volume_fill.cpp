@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/frame_context.h"
+#include "techniques/shared/volume_counter.h"
 
 namespace ombrage {
 
@@ -39,14 +40,9 @@ gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowV
 gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes,
                      const VolumeChoice& chosen) {
     gl::Texture count = emptyFill(frame);
-    const gl::Framebuffer target({{&count}}, {}, "volume fill");
-    target.bind();
-    gl::DrawState state;
-    state.blend = true;
-    state.depthClamp = frame.view.orthographic;
-    gl::apply(state);
-    volumes.draw(frame, light, VolumePart::Sides, VolumePart::InwardLightCaps, chosen,
-                 {.fragmentPath = "shared/volume_one.frag"});
+    VolumeCounter counter(frame, light, volumes, true);
+    counter.addFragmentsTo(count);
+    counter.zFail(chosen);
     return count;
 }
 

@@ -8,13 +8,14 @@
 namespace ombrage {
 
 GpuTopology::GpuTopology(const GpuScene& scene) {
+    const auto& topologies = scene.derived<SceneTopology>();
     std::vector<EdgePair> allPairs;
     std::vector<glm::vec4> allPlanes;
     std::vector<std::uint32_t> pairEnds, triangleVertices;
     std::vector<glm::vec3> positions;
     const auto count = int(scene.scene().meshes.size());
     for (int m = 0; m < count; ++m) {
-        const MeshTopology topology(scene.scene().meshes[std::size_t(m)]);
+        const MeshTopology& topology = topologies.mesh(m);
         const std::vector<EdgePair> own = topology.edgePairs();
         meshes.push_back({std::uint32_t(allPairs.size()), std::uint32_t(own.size()), std::uint32_t(allPlanes.size()),
                           std::uint32_t(topology.triangleCount())});

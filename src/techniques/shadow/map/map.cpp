@@ -3,8 +3,7 @@
 // manual page.
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/shared/depth_pass.h"
-#include "techniques/shared/light_views.h"
+#include "techniques/shared/light_depth.h"
 
 namespace ombrage {
 namespace {
@@ -84,97 +83,37 @@ struct MapParams {
 
 class ShadowMap final : public ShadowLookupTechniqueOf<MapParams> {
 public:
-    void prepare(FrameContext&) override {
-        m_drawn.reset();
-        m_views.reset();
-    }
-
-    /// What was drawn knows where its casters stood: others may have moved.
-    void sceneMoved(FrameContext&) override {
-        m_views.reset();
-        m_mayHaveMoved = true;
-    }
+    void prepare(FrameContext&) override { m_depth.reset(); }
+    void sceneMoved(FrameContext&) override { m_depth.sceneMoved(); }
 
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        fitViews(frame, light);
-        drawDepth(frame, light);
-        if (frame.wants("light-depth")) frame.expose("light-depth", m_map, ShowAs::LightDepth);
-        m_footprint = m_views->footprint(p().resolution);
-        m_range = m_views->range(frame.gpuScene->origin());
-        return {"shadow/map/map.glsl", m_views->defines(),
+        m_depth.update(
+            frame, light,
+            {.resolution = p().resolution, .fit = p().fit, .cull = culled(), .keep = p().cache, .compare = true});
+        if (frame.wants("light-depth")) frame.expose("light-depth", m_depth.map(), ShowAs::LightDepth);
+        m_footprint = m_depth.views().footprint(p().resolution);
+        m_range = m_depth.views().range(frame.gpuScene->origin());
+        return {"shadow/map/map.glsl", m_depth.views().defines(),
                 [this](const gl::Program& program) {
-                    m_views->setUniforms(program);
-                    m_map.bind(kFirstFreeUnit);
+                    m_depth.views().setUniforms(program);
+                    m_depth.map().bind(kFirstFreeUnit);
                 },
                 LightViews::perPass()};
     }
 
     TexelFootprint footprint() const override { return m_footprint; }
     ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_map ? gl::byteSize(m_map.desc()) : 0; }
+    std::uint64_t gpuBytes() const override { return m_depth.gpuBytes(); }
 
 private:
-    /// Fitting looks at every caster's vertices, and to the scene depends on the light alone.
-    void fitViews(const FrameContext& frame, const LightFrame& light) {
-        const Pose pose{light.light->type, light.position, light.direction, light.light->outer_rad};
-        if (m_views && p().fit == LightFit::Scene && m_fit == LightFit::Scene && m_pose == pose) return;
-        m_views = makeLightViews(frame, light, p().fit);
-        m_pose = pose;
-        m_fit = p().fit;
-    }
-
-    void drawDepth(FrameContext& frame, const LightFrame& light) {
-        const LightViews& views = *m_views;
-        const bool isDrawn = p().cache && m_drawn && m_drawn->views == views &&
-                             !(m_mayHaveMoved && m_drawn->casters != casterPlacements(frame));
-        m_mayHaveMoved = false;
-        if (isDrawn) return;
-        const gl::TextureDesc desc{.kind = views.views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
-                                   .format = GL_DEPTH_COMPONENT32F,
-                                   .width = p().resolution,
-                                   .height = p().resolution,
-                                   .layers = int(views.views.size())};
-        if (!m_map || m_map.desc() != desc) {
-            m_map = gl::Texture(desc, "shadow map");
-            m_map.setCompare(GL_GEQUAL);
-        }
-        const auto pass = frame.pass("light depth");
+    GLenum culled() const {
+        if (p().cull == CullMode::Front) return GL_FRONT;
+        if (p().cull == CullMode::Back) return GL_BACK;
         // Second-depth maps (Wang and Molnar 1994) hold the far sides of closed casters.
-        GLenum cull = p().bias == BiasMode::SecondDepth ? GL_FRONT : GL_NONE;
-        if (p().cull == CullMode::Front) cull = GL_FRONT;
-        if (p().cull == CullMode::Back) cull = GL_BACK;
-        drawLightDepth(frame, light, views, m_map, cull);
-        m_drawn = {views, casterPlacements(frame)};
+        return p().bias == BiasMode::SecondDepth ? GL_FRONT : GL_NONE;
     }
 
-    /// Where the casters stand, by their order in the scene.
-    static std::vector<glm::mat4> casterPlacements(const FrameContext& frame) {
-        std::vector<glm::mat4> placements;
-        for (const FlatInstance& instance : frame.gpuScene->flat().instances)
-            if (instance.casts) placements.push_back(instance.originFromLocal);
-        return placements;
-    }
-
-    /// What a light's views depend on beside the scene.
-    struct Pose {
-        LightType type = LightType::Sun;
-        glm::vec3 position{0.0f}, direction{0.0f};
-        float outer_rad = 0;
-        bool operator==(const Pose&) const = default;
-    };
-
-    /// What the map holds.
-    struct Drawn {
-        LightViews views;
-        std::vector<glm::mat4> casters;
-    };
-
-    gl::Texture m_map;
-    std::optional<LightViews> m_views;
-    Pose m_pose;  ///< m_views were made for it, and for m_fit
-    LightFit m_fit = LightFit::Scene;
-    std::optional<Drawn> m_drawn;
-    bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
+    LightDepth m_depth;
     TexelFootprint m_footprint;
     ShadowRange m_range;
 };

@@ -43,7 +43,7 @@ void main() {
     float distance_m;
     vec2 uv = lightViewUv(view, p_world, distance_m);
     float texel_m = lightViewTexel(view, distance_m, 1.0 / float(resolution));
-    float steepest = MAX_SLOPE * texel_m, precision_m = 4.0 * lightViewPrecision(view, distance_m);
+    float steepest = params.max_slope * texel_m, precision_m = 4.0 * lightViewPrecision(view, distance_m);
 
     ivec2 middle = ivec2(floor(uv * float(resolution)));
     int lit = 0, dark = 0, asked = 0;

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "render/technique.h"
-#include "techniques/shared/depth_pass.h"
-#include "techniques/shared/light_views.h"
+#include "techniques/shared/light_depth.h"
 #include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_split.h"
 #include "techniques/shared/volume_views.h"
@@ -42,7 +41,6 @@ struct VolumeHybridParams : VolumeParams {
                      "How far before the surface the map's depth must lie to be surely dark; nearer, volumes decide."),
              field(&P::maxSlope, "max-slope")
                  .range(0, 100)
-                 .effect(ParamEffect::Define)
                  .help("Steepest slope at which the receiver's plane is followed between texels."),
              field(&P::cache, "cache")
                  .effect(ParamEffect::Host)
@@ -54,15 +52,19 @@ class VolumeHybrid final : public ShadowTechniqueOf<VolumeHybridParams> {
 public:
     void prepare(FrameContext&) override {
         m_volumes.reset();
-        m_drawn.reset();
+        m_map.reset();
+    }
+
+    void sceneMoved(FrameContext&) override {
+        m_volumes.reset();
+        m_map.sceneMoved();
     }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
         m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
         m_volumes.report(frame);
-        drawMap(frame, light);
-        const gl::Texture& marked = *m_marked;
-        askMap(frame, visibility);
+        m_map.update(frame, light, {.resolution = p().resolution, .keep = p().cache});
+        const TargetPool::Target marked = askMap(frame, visibility);
 
         VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         counter.restrictToMarked();
@@ -70,65 +72,50 @@ public:
         {
             const auto pass = frame.pass("shadow volumes");
             counter.begin(split.atTheEye);
-            counter.mark(marked);
+            counter.mark(*marked);
             split.count(counter);
         }
-        if (frame.wants("hybrid-marked")) frame.expose("hybrid-marked", marked, ShowAs::Value);
+        if (frame.wants("hybrid-marked")) frame.expose("hybrid-marked", *marked, ShowAs::Value);
         showVolumes(frame, light, m_volumes);
         {
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
         }
-        if (frame.countsSavings()) countSavings(frame, light);
+        if (frame.countsSavings()) countSavings(frame, light, *marked);
     }
 
-    std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes() + (m_map ? gl::byteSize(m_map.desc()) : 0); }
+    std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes() + m_map.gpuBytes(); }
 
 private:
-    void drawMap(FrameContext& frame, const LightFrame& light) {
-        LightViews views = makeLightViews(frame, light, LightFit::Scene);
-        if (p().cache && m_drawn && *m_drawn == views) return;
-        const gl::TextureDesc desc{.kind = views.views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
-                                   .format = GL_DEPTH_COMPONENT32F,
-                                   .width = p().resolution,
-                                   .height = p().resolution,
-                                   .layers = int(views.views.size())};
-        if (!m_map || m_map.desc() != desc) m_map = gl::Texture(desc, "hybrid map");
-        const auto pass = frame.pass("light depth");
-        drawLightDepth(frame, light, views, m_map, GL_NONE);
-        m_drawn = std::move(views);
-    }
-
     /// Chan and Durand 2004, section 3: a pixel whose texels disagree may lie at a silhouette.
-    void askMap(FrameContext& frame, const gl::Texture& visibility) {
+    TargetPool::Target askMap(FrameContext& frame, const gl::Texture& visibility) {
         const auto pass = frame.pass("what the map knows");
-        const gl::TextureDesc desc{.format = GL_R8, .width = frame.width, .height = frame.height};
-        if (!m_marked || m_marked->desc() != desc) m_marked.emplace(desc, "hybrid marks");
-        const gl::Framebuffer target({{&visibility}, {&*m_marked}}, {&frame.gbuffer->depth}, "hybrid");
+        auto marked =
+            frame.targets->take({.format = GL_R8, .width = frame.width, .height = frame.height}, "hybrid marks");
+        const gl::Framebuffer target({{&visibility}, {marked.get()}}, {&frame.gbuffer->depth}, "hybrid");
         target.bind();
         target.clearColor(1, glm::vec4(0));
         frame.bindGBuffer();
-        m_map.bind(kFirstFreeUnit);
+        m_map.map().bind(kFirstFreeUnit);
         const gl::Program& program = frame.program(
             *this,
             {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shadow/volume-hybrid/hybrid.frag"}},
-            m_drawn->defines(), {{"ombrage/per_pass_lookup.glsl", LightViews::perPass()}});
-        m_drawn->setUniforms(program);
+            m_map.views().defines(), {{"ombrage/per_pass_lookup.glsl", LightViews::perPass()}});
+        m_map.views().setUniforms(program);
         frame.drawSurfaces();
+        return marked;
     }
 
-    void countSavings(FrameContext& frame, const LightFrame& light) {
-        reportFill(frame, countFill(frame, light, m_volumes.options(), &*m_marked));
+    void countSavings(FrameContext& frame, const LightFrame& light, const gl::Texture& marked) {
+        reportFill(frame, countFill(frame, light, m_volumes.options(), &marked));
         std::vector<std::uint8_t> marks(std::size_t(frame.width) * std::size_t(frame.height));
-        m_marked->download(0, 0, GL_RED, GL_UNSIGNED_BYTE, marks.size(), marks.data());
+        marked.download(0, 0, GL_RED, GL_UNSIGNED_BYTE, marks.size(), marks.data());
         frame.counter("pixels left to volumes",
                       double(std::count_if(marks.begin(), marks.end(), [](auto m) { return m != 0; })));
     }
 
     ShadowVolumes m_volumes;
-    gl::Texture m_map;
-    std::optional<LightViews> m_drawn;  ///< what the map holds
-    std::optional<gl::Texture> m_marked;
+    LightDepth m_map;
 };
 
 std::vector<PassInfo> passes() {

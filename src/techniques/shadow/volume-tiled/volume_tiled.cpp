@@ -15,8 +15,7 @@ namespace {
 constexpr const char* kTilesPass = "volume-tiles";
 constexpr const char* kStencilPass = "volume-stencil";
 
-/// The stencil's bit for pixels that VolumeCounter counts; the count has the bits below.
-constexpr int kMarked = 0x80;
+constexpr int kMarked = VolumeCounter::kMarked;
 constexpr unsigned kAllBits = 0xff;
 
 struct VolumeTiledParams : VolumeParams {

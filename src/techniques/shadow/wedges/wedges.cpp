@@ -189,7 +189,8 @@ private:
         }
         const LightRegion region(frame.view, light);
         if (region.empty) return;
-        region.limit(state);
+        state.scissor = region.scissor;
+        const gl::DepthBounds bounds(region.depthBounds);
         gl::apply(state);
         frame.bindGBuffer();
         frame.gpuScene->bindStorage();
