@@ -15,7 +15,6 @@
 namespace ombrage {
 
 class FrameContext;
-struct CameraView;
 struct GpuCaster;
 struct GpuTopology;
 struct LightFrame;
@@ -106,7 +105,7 @@ public:
     const VolumeChoice& casters() const { return m_casters; }
 
     /// w of points at infinity (shared/volume_ends.glsl).
-    static float infinity(const CameraView& view);
+    static float infinity(const FrameContext& frame);
 
     /// Where the indices of an instance's sides stand in indices(): the first of them, and how many. Of each side the
     /// first two are the ends of its edge, the cap's interior to the left of the way from the second to the first, as

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "techniques/shared/eye_contact.h"
+#include "techniques/shared/holes.h"
 #include "techniques/shared/near_clip.h"
 
 namespace ombrage {
@@ -21,7 +22,7 @@ VolumeChoice countedByZFail(const FrameContext& frame, const LightFrame& light, 
     VolumeChoice chosen(frame.gpuScene->flat().instances.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto& [lower, upper] = frame.gpuScene->instanceBounds(i);
-        chosen[i] = clamps(frame, mode) ? touchesEye(frame, i) : nearClip.touches(lower, upper);
+        chosen[i] = hasHoles(frame, i) || (clamps(frame, mode) ? touchesEye(frame, i) : nearClip.touches(lower, upper));
     }
     return chosen;
 }

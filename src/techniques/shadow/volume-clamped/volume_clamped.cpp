@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // shadow/volume-clamped: stencil shadow volumes of the casters that matter, as long as somebody sees their shadow.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "techniques/shadow/volume-clamped/receiver_grid.h"
 #include "techniques/shadow/volume-clamped/shadowed_casters.h"
 #include "techniques/shared/eye_contact.h"
+#include "techniques/shared/holes.h"
 #include "techniques/shared/volume_counter.h"
 #include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_views.h"
@@ -17,12 +19,23 @@ namespace ombrage {
 namespace {
 
 constexpr const char* kReceiversPass = "volume-receivers";
+constexpr const char* kCastersPass = "volume-casters";
+constexpr const char* kFillLeftPass = "volume-fill-left";
 
 /// Of a distance and of the scene's diagonal, by which volumes reach beyond receivers: positions are rounded.
 constexpr float kMargin = 1e-4f;
 
+/// What became of a caster's volume, in the order of kFateTints.
+enum class Fate { None, InShadow, WithoutReceivers, Whole, Clamped, ClampedTwice };
+const std::array<glm::vec4, 6> kFateTints{{{0.12f, 0.12f, 0.12f, 1.0f},
+                                           {0.05f, 0.15f, 0.8f, 1.0f},
+                                           {0.8f, 0.1f, 0.05f, 1.0f},
+                                           {0.8f, 0.8f, 0.8f, 1.0f},
+                                           {0.8f, 0.6f, 0.1f, 1.0f},
+                                           {0.1f, 0.6f, 0.15f, 1.0f}}};
+
 constexpr int kShownWidth = 768;  // pixels, of the picture of the grid
-constexpr unsigned kCellStorage = 11;
+constexpr unsigned kCellStorage = 11, kTintStorage = 11;
 constexpr int kBlock = 64;  // pixels along an edge of a work group's share, of receiver_grid.comp
 
 struct VolumeClampedParams : VolumeParams {
@@ -52,6 +65,10 @@ std::vector<PassInfo> clampedPasses() {
     std::vector<PassInfo> passes = volumePasses();
     passes.push_back(
         {kReceiversPass, "distance from the light of the farthest visible receiver in each cell of the grid"});
+    passes.push_back({kCastersPass,
+                      "casters: culled in another's shadow blue, without receivers red, volumes clamped behind them "
+                      "yellow, at both ends green, whole white"});
+    passes.push_back({kFillLeftPass, "triangles over each pixel that are left of `volume-fill`"});
     return passes;
 }
 
@@ -82,6 +99,11 @@ public:
         }
         showVolumes(frame, light, m_volumes, m_plan->kept);
         if (frame.wants(kReceiversPass)) showReceivers(frame);
+        if (frame.wants(kCastersPass)) showCasters(frame);
+        if (frame.wants(kFillLeftPass)) {
+            const FrameContext::Uncounted aside(frame);
+            frame.expose(kFillLeftPass, drawFill(frame, light, m_volumes, m_plan->kept), ShowAs::Count);
+        }
         {
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
@@ -107,6 +129,7 @@ private:
         bool cull = false, clamp = false;
         VolumeChoice kept, zPass, zFail, beginApart;
         std::vector<VolumeSlab> slabs;
+        std::vector<Fate> fates;
         int atTheEye = 0;
         int shadowed = 0, withoutReceivers = 0, clamped = 0, apart = 0;
     };
@@ -159,6 +182,7 @@ private:
         made.clamp = p().clamp;
         made.kept = casters;
         made.slabs.resize(casters.size());
+        made.fates.resize(casters.size());
         made.zPass = made.zFail = made.beginApart = VolumeChoice(casters.size());
         VolumeChoice aroundEye(casters.size());
 
@@ -175,16 +199,19 @@ private:
             made.shadowed += shadowed[i] ? 1 : 0;
             made.withoutReceivers += useless && !shadowed[i] ? 1 : 0;
             made.kept[i] = !shadowed[i] && !useless;
+            made.fates[i] = shadowed[i] ? Fate::InShadow : useless ? Fate::WithoutReceivers : Fate::Whole;
             if (!made.kept[i]) continue;
 
-            const bool byZFail = frame.view.orthographic || touchesEye(frame, i);
+            const bool byZFail = frame.view.orthographic || hasHoles(frame, i) || touchesEye(frame, i);
             (byZFail ? made.zFail : made.zPass)[i] = true;
             bool holdsEye = true;
             if (p().clamp && box) {
                 made.clamped += 1;
                 made.slabs[i] = clampedSlab(frame, *box, margin_m, holdsEye);
-                made.apart += made.slabs[i].near != glm::vec4(0.0f) ? 1 : 0;
-                made.beginApart[i] = !byZFail && made.slabs[i].near != glm::vec4(0.0f);
+                const bool isApart = made.slabs[i].near != glm::vec4(0.0f);
+                made.apart += isApart ? 1 : 0;
+                made.beginApart[i] = !byZFail && isApart;
+                made.fates[i] = isApart ? Fate::ClampedTwice : Fate::Clamped;
             }
             aroundEye[i] = !byZFail && holdsEye;
         }
@@ -227,6 +254,24 @@ private:
         gl::Texture image({.format = GL_R32F, .width = width, .height = height}, "receiver grid");
         image.upload(0, GL_RED, GL_FLOAT, farthest.data());
         frame.expose(kReceiversPass, image, ShowAs::Count);
+    }
+
+    void showCasters(FrameContext& frame) {
+        std::vector<glm::vec4> tints;
+        for (const Fate fate : m_plan->fates) tints.push_back(kFateTints[std::size_t(fate)]);
+        const gl::Buffer storage = gl::Buffer::from(tints, "tints of casters");
+        const gl::Texture picture({.format = GL_RGBA16F, .width = frame.width, .height = frame.height},
+                                  "casters shown");
+        const gl::Framebuffer target({{&picture}}, {}, "casters shown");
+        target.bind();
+        gl::apply({});
+        frame.bindGBuffer();
+        frame.gpuScene->bindStorage();
+        storage.bindStorage(kTintStorage);
+        frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
+                       {GL_FRAGMENT_SHADER, "shadow/volume-clamped/casters_view.frag"}});
+        frame.drawFullscreen();
+        frame.expose(kCastersPass, picture, ShowAs::Color);
     }
 
     void report(FrameContext& frame, const LightFrame& light) const {

@@ -46,5 +46,22 @@ TEST(VolumeClamped, BeginsVolumesAtTheFirstReceiver) {
     EXPECT_GE(shadowOf("behind", "shadow/volume-clamped").counters.at("of those at both ends"), 1);
 }
 
+TEST(VolumeClamped, ShowsWhichCastersItLeavesOut) {
+    const auto bluePixels = [](const std::string& technique) {
+        RenderSettings settings;
+        settings.width = 320;
+        settings.height = 180;
+        settings.shadow = parseTechnique(technique).second;
+        settings.show = {"volume-casters"};
+        const Image shown = renderScene(Bench::of("in-shadow").scene(), settings).shown.at("volume-casters");
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < shown.pixelCount(); ++i) count += shown.plane(2)[i] > 2 * shown.plane(0)[i] ? 1 : 0;
+        return count;
+    };
+    // The box under the roof covers some hundreds of the 57,600 pixels.
+    EXPECT_GT(bluePixels("shadow/volume-clamped"), 500u);
+    EXPECT_EQ(bluePixels("shadow/volume-clamped:cull=off"), 0u);
+}
+
 }  // namespace
 }  // namespace ombrage::test

@@ -3,6 +3,7 @@
 #include "render/technique.h"
 #include "techniques/shadow/volume-tiled/tile_classes.h"
 #include "techniques/shared/eye_contact.h"
+#include "techniques/shared/holes.h"
 #include "techniques/shared/volume_counter.h"
 #include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_views.h"
@@ -46,12 +47,13 @@ public:
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
 
 private:
-    /// Z-pass from the eye is what tiles are counted by: not for casters that touch it, nor for orthographic cameras.
+    /// Z-pass from the eye is what tiles are counted by: not for casters that touch it or that have holes, nor for
+    /// orthographic cameras.
     bool inTiles(const FrameContext& frame) const {
         if (frame.view.orthographic) return false;
         const auto& instances = frame.gpuScene->flat().instances;
         for (std::size_t i = 0; i < instances.size(); ++i)
-            if (instances[i].casts && touchesEye(frame, i)) return false;
+            if (instances[i].casts && (hasHoles(frame, i) || touchesEye(frame, i))) return false;
         return true;
     }
 

@@ -52,6 +52,24 @@ TEST(Wedges, TheSizeScalesThePenumbra) {
     EXPECT_EQ(half.row("shadow/wedges"), narrow);
 }
 
+TEST(Wedges, TheirFacesCanBeSeenWhereTheLightHasASize) {
+    // Wires are drawn in one colour, red over blue, on a grey scene.
+    const auto wires = [](const std::string& technique) {
+        RenderSettings settings;
+        settings.width = 320;
+        settings.height = 180;
+        settings.shadow = parsePipeline(Family::Shadow, technique);
+        settings.show = {"wedge-faces"};
+        const Image shown = renderScene(Bench::of("area-overlap").scene(), settings).shown.at("wedge-faces");
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < shown.pixelCount() && shown.planeCount() > 2; ++i)
+            count += shown.plane(0)[i] > 2 * shown.plane(2)[i] ? 1 : 0;
+        return count;
+    };
+    EXPECT_GT(wires("shadow/wedges"), 500u);
+    EXPECT_EQ(wires("shadow/wedges:size=0"), 0u);
+}
+
 TEST(Wedges, WithoutSizeTheyAreTheVolumes) {
     const Scene& scene = Bench::of("penumbrae").scene();
     for (const char* light : {"lamp", "sun", "spot"}) {
