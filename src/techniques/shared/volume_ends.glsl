@@ -36,8 +36,8 @@ vec4 farEnd(vec3 p_world, uint caster) {
     return vec4(p_world + normalize(away) * u_distance, 1.0);
 #else
     // Where infinity is a point, a lamp's far ends lie on their rays all the same; those of a sun are one point.
-    if (u_infinity > 0.0 && u_toward.w != 0.0) away = away / max(length(away), 1e-30) + p_world * u_infinity;
-    return vec4(away, u_infinity);
+    float w = u_toward.w != 0.0 ? u_infinity * length(away) : u_infinity;
+    return vec4(away + p_world * (w * u_toward.w), w);
 #endif
 }
 
