@@ -2,6 +2,7 @@
 #include "techniques/shared/shadow_volume.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <numeric>
 
@@ -17,9 +18,9 @@ namespace ombrage {
 
 namespace {
 
-/// Distance of the far ends under an orthographic camera, in diagonals of the scene. A sun's rays all meet there, so
-/// shadows move by up to the diagonal over this; more of it costs the precision that sides and caps are clipped with
-/// (1e4: up to 0.0015 of a picture wrong; 1e5: 0.03).
+/// Distance of a lamp's far ends under an orthographic camera, in diagonals of the scene: the caps between them lie
+/// before them, the nearer to the lamp the wider it sees a triangle. More of it costs the precision that sides and caps
+/// are clipped with (1e4: up to 0.0015 of a picture wrong; 1e5: 0.03).
 constexpr float kOrthographicInfinity = 1e3f;
 
 constexpr int kGroupSize = 64;  // of shared/volume_silhouette.comp
@@ -51,6 +52,14 @@ std::vector<gl::DrawElementsIndirect> emptyCommands(std::size_t instances) {
     return commands;
 }
 
+/// How near to a triangle's plane a light counts as in it: a few units in the last place of the coordinates' size, as
+/// the truth's rays end before the light.
+double inPlane(const GpuScene& gpuScene, std::size_t instance, const glm::dvec3& light_local) {
+    const auto& topology = gpuScene.derived<SceneTopology>();
+    const Bounds& bounds = topology.bounds(gpuScene.flat().instances[instance].mesh);
+    return 4.0 * double(FLT_EPSILON) * (glm::length(light_local - bounds.center()) + bounds.diagonal());
+}
+
 void checkRoom(std::uint64_t bytes) {
     GLint64 limit = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
@@ -75,7 +84,15 @@ VolumeVertices::VolumeVertices(const GpuScene& scene) {
 }
 
 SceneTopology::SceneTopology(const GpuScene& scene) {
-    for (const Mesh& mesh : scene.scene().meshes) m_meshes.emplace_back(mesh);
+    for (const Mesh& mesh : scene.scene().meshes) {
+        m_meshes.emplace_back(mesh);
+        Bounds bounds;
+        for (const glm::vec3& p : mesh.positions) {
+            bounds.lower = glm::min(bounds.lower, glm::dvec3(p));
+            bounds.upper = glm::max(bounds.upper, glm::dvec3(p));
+        }
+        m_bounds.push_back(bounds);
+    }
 }
 
 ShadowVolumeOptions::ShadowVolumeOptions(const VolumeParams& params)
@@ -102,6 +119,11 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const auto& instances = frame.gpuScene->flat().instances;
     const bool isSun = light.light->type == LightType::Sun;
+    // Parallel rays need not meet at infinity, which an orthographic camera cannot show: behind the scene is far
+    // enough.
+    ShadowVolumeOptions drawn = options;
+    if (isSun && frame.view.orthographic && !options.end())
+        drawn.distance_m = 1.01f * float(frame.gpuScene->bounds().diagonal());
 
     // Triangles turned away from the light are enough where every ray to the light enters the mesh as often as it
     // leaves it: a closed mesh with eye and light outside. Inside of its bounds, and for open meshes, all triangles
@@ -109,9 +131,9 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
     Key key{light.light->type,
             light.light->position,
             light.light->direction,
-            options,
+            drawn,
             VolumeChoice(instances.size()),
-            withCaps.empty() || options.end() ? VolumeChoice(instances.size(), true) : withCaps};
+            withCaps.empty() || drawn.end() ? VolumeChoice(instances.size(), true) : withCaps};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
                       frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m()) ||
@@ -145,6 +167,7 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
     request.light_local =
         localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
                                                         : glm::dvec4(m_key->position, 1.0));
+    request.inPlane_local = m_key->type == LightType::Sun ? 0.0 : inPlane(gpuScene, i, glm::dvec3(request.light_local));
     request.mirrored = instance.mirrored;
     request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
     request.litOnly = m_key->options.casting == CastingSide::Lit;
@@ -200,6 +223,7 @@ std::vector<GpuCaster> ShadowVolumes::gpuCasters(const GpuScene& gpuScene, const
                       .firstTriangle = mesh.firstTriangle,
                       .triangles = mesh.triangles,
                       .firstVertex = volume.firstVertex,
+                      .inPlane_local = float(volume.inPlane_local),
                       .flags = (volume.both ? kCasterBoth : 0u) | (volume.mirrored ? kCasterMirrored : 0u) |
                                (volume.hasFarEnds() ? kCasterFarEnds : 0u)};
     }
@@ -380,12 +404,21 @@ int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, co
     const auto& instances = gpuScene.flat().instances;
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const glm::dvec4 p_world(glm::dvec3(p) + gpuScene.origin(), 1.0);
+    std::optional<VolumeEnd> end;
+    if (m_key->options.distance_m)
+        end = {double(*m_key->options.distance_m),
+               m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
+                                             : glm::dvec4(m_key->position, 1.0),
+               {}};
     int count = 0;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!chosen[i] || !m_casters[i] || !gpuScene.isOnTheWay(i, p, light.toward())) continue;
-        const glm::dvec3 p_local = glm::inverse(gpuScene.scene().instances[i].worldFromLocal) * p_world;
-        count += volumesAround(topology.mesh(instances[i].mesh),
-                               gpuScene.scene().meshes[std::size_t(instances[i].mesh)], request(gpuScene, i), p_local);
+        const glm::dmat4& worldFromLocal = gpuScene.scene().instances[i].worldFromLocal;
+        const glm::dvec3 p_local = glm::inverse(worldFromLocal) * p_world;
+        if (end) end->worldFromLocal = worldFromLocal;
+        count +=
+            volumesAround(topology.mesh(instances[i].mesh), gpuScene.scene().meshes[std::size_t(instances[i].mesh)],
+                          request(gpuScene, i), p_local, end);
     }
     return count;
 }

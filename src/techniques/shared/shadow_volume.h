@@ -25,9 +25,12 @@ public:
     explicit SceneTopology(const GpuScene& scene);
 
     const MeshTopology& mesh(int index) const { return m_meshes[std::size_t(index)]; }
+    /// Of the mesh's vertices, in its own space.
+    const Bounds& bounds(int index) const { return m_bounds[std::size_t(index)]; }
 
 private:
     std::vector<MeshTopology> m_meshes;
+    std::vector<Bounds> m_bounds;
 };
 
 /// Both ends of every vertex, the corner itself (w 1) and the same to be sent to the far end (w 0), one after the

@@ -36,6 +36,17 @@ bool passesLeft(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& dire
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
+/// Whether the far cap of a triangle's volume lies between a point, which has the triangle before the light, and the
+/// triangle.
+bool endsBefore(const VolumeEnd& end, const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& p_world) {
+    std::array<glm::dvec3, 3> cap;
+    for (std::size_t k = 0; k < 3; ++k)
+        cap[k] = triangle[k] +
+                 end.distance_m * glm::normalize(triangle[k] * end.light_world.w - glm::dvec3(end.light_world));
+    const glm::dvec3 normal = glm::cross(cap[1] - cap[0], cap[2] - cap[0]);
+    return (glm::dot(normal, p_world - cap[0]) > 0.0) != (glm::dot(normal, triangle[0] - cap[0]) > 0.0);
+}
+
 /// One side of a triangle, to be sorted by its edge.
 struct EdgeUse {
     std::uint64_t edge;  // smaller vertex in the upper half, larger in the lower
@@ -126,11 +137,12 @@ public:
     }
 
 private:
-    /// In single precision where that is sure of the sign, in double where it is not.
+    /// In single precision where that is sure of the side, in double where it is not.
     void classify() {
         const std::size_t count = m_topology.triangleCount();
         m_weight.resize(count);
         const auto light = glm::vec4(m_request.light_local);
+        const auto inPlane = float(m_request.inPlane_local * 1.001);
         const std::int8_t facing = m_request.weightFacing(), away = m_request.weightAway();
         const float *x = m_topology.m_roundedPlanes[0].data(), *y = m_topology.m_roundedPlanes[1].data(),
                     *z = m_topology.m_roundedPlanes[2].data(), *w = m_topology.m_roundedPlanes[3].data();
@@ -138,12 +150,13 @@ private:
         tbb::parallel_for(blocks, [&](const auto& range) {
             for (std::size_t block = range.begin(); block != range.end(); ++block) {
                 const std::size_t first = block * kBlock;
-                float side[kBlock], doubt[kBlock];
+                float side[kBlock], doubt[kBlock];  // |x| + |y| + |z| is at least the normal's length
                 for (std::size_t i = 0; i < kBlock; ++i) {
                     const float px = x[first + i] * light.x, py = y[first + i] * light.y, pz = z[first + i] * light.z,
                                 pw = w[first + i] * light.w;
                     side[i] = px + py + pz + pw;
-                    doubt[i] = kRounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw));
+                    doubt[i] = kRounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw)) +
+                               inPlane * (std::abs(x[first + i]) + std::abs(y[first + i]) + std::abs(z[first + i]));
                 }
                 for (std::size_t i = 0; i < std::min(kBlock, count - first); ++i)
                     m_weight[first + i] = side[i] > doubt[i]    ? facing
@@ -226,7 +239,7 @@ void appendVolume(const MeshTopology& topology, const VolumeRequest& request, Vo
 }
 
 int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRequest& request,
-                  const glm::dvec3& p_local) {
+                  const glm::dvec3& p_local, const std::optional<VolumeEnd>& end) {
     const glm::dvec3 direction = glm::dvec3(request.light_local) - p_local * request.light_local.w;
     std::atomic<int> around = 0;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, topology.triangleCount(), kGrain), [&](const auto& range) {
@@ -244,7 +257,15 @@ int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRe
                              c = glm::dvec3(mesh.positions[v.z]) - p_local;
             const bool ab = passesLeft(a, b, direction), bc = passesLeft(b, c, direction),
                        ca = passesLeft(c, a, direction);
-            crossed += ab == bc && bc == ca ? 1 : 0;
+            if (ab != bc || bc != ca) continue;
+            if (end) {
+                const auto world = [&](const glm::dvec3& p) {
+                    return glm::dvec3(end->worldFromLocal * glm::dvec4(p, 1.0));
+                };
+                if (endsBefore(*end, {world(a + p_local), world(b + p_local), world(c + p_local)}, world(p_local)))
+                    continue;
+            }
+            ++crossed;
         }
         around += crossed;
     });

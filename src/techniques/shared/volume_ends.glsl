@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the corners of shadow volumes are. FINITE: volumes end after u_distance. SLABS: they lie between two planes each. ONTO_NEAR_PLANE: light caps as the light
+// Where the corners of shadow volumes are. FINITE: volumes end after u_distance. SLABS: they lie between two planes each. ONTO_NEAR_PLANE: caps as the light
 // casts them onto the near plane.
 #include "ombrage/clip.glsl"
 #include "ombrage/frame.glsl"

@@ -22,7 +22,7 @@ struct VolumeHybridParams : VolumeParams {
 
     static ParamTable describe() {
         using P = VolumeHybridParams;
-        return volumeTable(
+        return volumeTableWithoutEnds(
             {field(&P::resolution, "resolution", Unit::Texel)
                  .range(16, 8192, Scale::Log)
                  .tune(256, 4096)
