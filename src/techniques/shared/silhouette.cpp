@@ -36,6 +36,24 @@ bool passesLeft(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& dire
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
+/// How near the way counts as touching an edge, as a share of the edge's distance: what the rasteriser rounds.
+constexpr double kTouching = 1e-6;
+
+/// Distance between the edge from a to b and the ray from the zero along a unit direction, as long as given.
+double distanceToRay(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& along, double length) {
+    // The edge's point nearest to the line, across the ray; then the ray's point nearest to that.
+    const glm::dvec3 edge = b - a, acrossEdge = edge - glm::dot(edge, along) * along,
+                     acrossA = a - glm::dot(a, along) * along;
+    const double square = glm::dot(acrossEdge, acrossEdge);
+    const double u = square > 0 ? std::clamp(-glm::dot(acrossA, acrossEdge) / square, 0.0, 1.0) : 0.0;
+    double nearest = INFINITY;
+    for (const double at : {u, 0.0, 1.0}) {
+        const glm::dvec3 q = a + at * edge;
+        nearest = std::min(nearest, glm::length(q - std::clamp(glm::dot(q, along), 0.0, length) * along));
+    }
+    return nearest;
+}
+
 /// Whether the far cap of a triangle's volume lies between a point, which has the triangle before the light, and the
 /// triangle.
 bool endsBefore(const VolumeEnd& end, const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& p_world) {
@@ -236,6 +254,27 @@ private:
 
 void appendVolume(const MeshTopology& topology, const VolumeRequest& request, VolumeTriangles& out) {
     VolumeBuilder(topology, request).build(out);
+}
+
+bool touchesEdge(const MeshTopology& topology, const Mesh& mesh, const glm::dvec4& light_local,
+                 const glm::dvec3& p_local) {
+    const glm::dvec3 way = glm::dvec3(light_local) - p_local * light_local.w;
+    const double length = glm::length(way), longest = light_local.w != 0.0 ? length : INFINITY;
+    std::atomic<bool> touched = false;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, topology.triangleCount(), kGrain), [&](const auto& range) {
+        for (std::size_t t = range.begin(); t != range.end() && !touched; ++t) {
+            const glm::uvec3 v = topology.triangles()[t];
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 a = glm::dvec3(mesh.positions[v[k]]) - p_local,
+                                 b = glm::dvec3(mesh.positions[v[(k + 1) % 3]]) - p_local;
+                // In one plane with it, then near to it.
+                const double square = 2 * (glm::dot(a, a) + glm::dot(b, b));
+                if (std::abs(glm::dot(glm::cross(a, b), way)) > kTouching * square * length) continue;
+                if (distanceToRay(a, b, way / length, longest) <= kTouching * std::sqrt(square)) touched = true;
+            }
+        }
+    });
+    return touched;
 }
 
 int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRequest& request,

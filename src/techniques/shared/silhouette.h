@@ -105,6 +105,11 @@ struct VolumeTriangles {
 /// Appends the volume of one instance to `out`.
 void appendVolume(const MeshTopology& topology, const VolumeRequest& request, VolumeTriangles& out);
 
+/// Whether the way from a point to the light touches an edge of the mesh, or nearly: then the point lies on the border
+/// of a volume, and whether rays from it start in there depends on where they go.
+bool touchesEdge(const MeshTopology& topology, const Mesh& mesh, const glm::dvec4& light_local,
+                 const glm::dvec3& p_local);
+
 /// Where volumes end: each vertex's far end lies so far from it, along the light's ray through it.
 struct VolumeEnd {
     double distance_m = 0;

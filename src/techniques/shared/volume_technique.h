@@ -17,7 +17,8 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(this->p()), needsCaps(frame, light));
+        m_withCaps = needsCaps(frame, light);
+        m_volumes.update(frame, light, ShadowVolumeOptions(this->p()), m_withCaps);
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
         count(frame, light, counter);
@@ -39,6 +40,8 @@ protected:
     virtual void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) = 0;
 
     const ShadowVolumes& volumes() const { return m_volumes; }
+    /// What needsCaps() said of this frame.
+    const VolumeChoice& withCaps() const { return m_withCaps; }
 
 private:
     void countOwnFill(FrameContext& frame, const LightFrame& light) {
@@ -55,6 +58,7 @@ private:
     }
 
     ShadowVolumes m_volumes;
+    VolumeChoice m_withCaps;
 };
 
 }  // namespace ombrage

@@ -86,11 +86,12 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
+        const VolumeChoice byZFail = countedByZFail(frame, light, CountingMode::Clamp);
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), byZFail);
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         {
-            const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp);
+            const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp, byZFail);
             const auto pass = frame.pass("shadow volumes");
             counter.begin(split.atTheEye);
             split.count(counter);

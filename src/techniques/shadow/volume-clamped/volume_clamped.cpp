@@ -9,7 +9,6 @@
 #include "techniques/shadow/volume-clamped/receiver_grid.h"
 #include "techniques/shadow/volume-clamped/shadowed_casters.h"
 #include "techniques/shared/eye_contact.h"
-#include "techniques/shared/holes.h"
 #include "techniques/shared/volume_counter.h"
 #include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_views.h"
@@ -202,7 +201,7 @@ private:
             made.fates[i] = shadowed[i] ? Fate::InShadow : useless ? Fate::WithoutReceivers : Fate::Whole;
             if (!made.kept[i]) continue;
 
-            const bool byZFail = frame.view.orthographic || hasHoles(frame, i) || touchesEye(frame, i);
+            const bool byZFail = frame.view.orthographic || !countsFromEye(frame, light, i);
             (byZFail ? made.zFail : made.zPass)[i] = true;
             bool holdsEye = true;
             if (p().clamp && box) {

@@ -3,7 +3,6 @@
 #include "render/technique.h"
 #include "techniques/shadow/volume-tiled/tile_classes.h"
 #include "techniques/shared/eye_contact.h"
-#include "techniques/shared/holes.h"
 #include "techniques/shared/volume_counter.h"
 #include "techniques/shared/volume_fill.h"
 #include "techniques/shared/volume_views.h"
@@ -33,7 +32,7 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        const bool tiled = inTiles(frame);
+        const bool tiled = inTiles(frame, light);
         const VolumeChoice withCaps(frame.gpuScene->flat().instances.size(), !tiled);
         m_volumes.update(frame, light, ShadowVolumeOptions(p()), withCaps);
         m_volumes.report(frame);
@@ -47,13 +46,12 @@ public:
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
 
 private:
-    /// Z-pass from the eye is what tiles are counted by: not for casters that touch it or that have holes, nor for
-    /// orthographic cameras.
-    bool inTiles(const FrameContext& frame) const {
+    /// Z-pass from the eye is what tiles are counted by: not where it cannot be, nor for orthographic cameras.
+    bool inTiles(const FrameContext& frame, const LightFrame& light) const {
         if (frame.view.orthographic) return false;
         const auto& instances = frame.gpuScene->flat().instances;
         for (std::size_t i = 0; i < instances.size(); ++i)
-            if (instances[i].casts && (hasHoles(frame, i) || touchesEye(frame, i))) return false;
+            if (instances[i].casts && !countsFromEye(frame, light, i)) return false;
         return true;
     }
 

@@ -26,7 +26,7 @@ class ShadowVolume final : public VolumeTechniqueOf<AutomaticVolumeParams> {
     }
 
     void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) override {
-        const VolumeSplit split(frame, light, volumes(), p().count);
+        const VolumeSplit split(frame, light, volumes(), p().count, withCaps());
         const auto pass = frame.pass("shadow volumes");
         counter.begin(split.atTheEye);
         split.count(counter);
