@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <glm/gtc/constants.hpp>
 
 #include "techniques/half_plane_scene.h"
 #include "techniques/technique_case.h"
@@ -42,6 +43,30 @@ TEST(Wedges, AStraightEdgeHidesASegmentOfTheLight) {
             between += expected > 0 && expected < 1 ? 1 : 0;
         }
         EXPECT_GE(between, 10);
+    }
+}
+
+TEST(Wedges, AWideSunShinesEvenlyInSolidAngle) {
+    HalfPlane half(LightType::Sun);
+    Light& sun = half.scene.lights[0];
+    sun.angle_rad = 2.4f;
+    const std::vector<float> row = half.row("shadow/wedges");
+    // Directions evenly over the cone about the sun's: rings of equal height on the unit sphere.
+    const glm::dvec3 axis = -glm::dvec3(sun.direction), side(0, 1, 0), up = glm::cross(axis, side);
+    constexpr int kRings = 200, kAround = 400;
+    for (const std::size_t i : {2u, 8u, 20u, 40u}) {
+        int seen = 0;
+        for (int r = 0; r < kRings; ++r)
+            for (int a = 0; a < kAround; ++a) {
+                const double c = 1 - (r + 0.5) / kRings * (1 - std::cos(1.2)), s = std::sqrt(1 - c * c),
+                             angle = (a + 0.5) / kAround * 2 * glm::pi<double>();
+                const glm::dvec3 d = c * axis + s * (std::cos(angle) * side + std::sin(angle) * up);
+                // Above the floor, and past the sheet, which ends 99 m from the zero.
+                const double reach_m = double(HalfPlane::kSheet_m) / d.z, x = double(i) + 0.5 + reach_m * d.x;
+                seen += d.z > 0 && (x > 0 || x < -99 || std::abs(reach_m * d.y) > 99) ? 1 : 0;
+            }
+        // The sum over 80,000 directions, and kRounding.
+        EXPECT_NEAR(row[i], double(seen) / (kRings * kAround), 0.004) << i;
     }
 }
 
