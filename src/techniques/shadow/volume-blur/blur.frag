@@ -19,7 +19,12 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(frame.viewport.xy) - 1;
     o_visibility = texelFetch(t_hard, pixel, 0).r;
     uvec2 edge = texelFetch(t_edges, pixel, 0).xy;
-    if (edge.x == kNoEdge) return;
+    bool hasEdge = edge.x != kNoEdge;
+#if MODE == MODE_CONTACT
+    if (o_visibility == 0.0 && !hasEdge) return;
+#else
+    if (!hasEdge) return;
+#endif
     float depth = gbufferDepth(pixel);
     vec3 p_world = positionOf(pixel, depth), n_g = gbufferGeometricNormal(pixel);
     float pixel_m = pixelSizeAt(viewDepthFromDepth(depth));
@@ -32,6 +37,8 @@ void main() {
     float cosine = dot(n_g, l);
 #if MODE == MODE_CONTACT
     if (abs(cosine) < 1e-3) return;
+    bool isCut = abs(cosine) < 1.5 * lightRadius() / (LIGHT_IS(LIGHT_SUN) ? 1.0 : distance_m);
+    if (!hasEdge && !isCut) return;
     if (LIGHT_IS(LIGHT_RECT)) {
         axisX = light.tangent.xyz * (light.tangent.w * params.size);
         axisY = light.bitangent.xyz * (light.bitangent.w * params.size);
@@ -56,6 +63,16 @@ void main() {
         vec2 point = pointOfLight(i, params.samples);
         vec3 aside = axisX * point.x + axisY * point.y;
 #if MODE == MODE_CONTACT
+        // What lies below the receiver's horizon sends nothing.
+        if (isCut && dot(n_g, LIGHT_IS(LIGHT_SUN) ? l + aside : l * distance_m + aside) <= 0.0) {
+            total += 1.0;
+            continue;
+        }
+        if (!hasEdge) {
+            sum += o_visibility;
+            total += 1.0;
+            continue;
+        }
         // A point of the light and the light's centre see the same point of the caster from two points of the receiver's
         // plane: whether this one sees the former is what the hard shadow says of the other.
         if (LIGHT_IS(LIGHT_SUN)) {
@@ -74,11 +91,7 @@ void main() {
         if (clip.w <= 0.0) continue;
         ivec2 at = ivec2(floor((clip.xy / clip.w * 0.5 + 0.5) * frame.viewport.xy));
         if (any(lessThan(at, ivec2(0))) || any(greaterThan(at, last))) continue;
-        float depthThere = gbufferDepth(at);
-        if (depthThere == 0.0) continue;
-        float plane_m = abs(dot(n_g, positionOf(at, depthThere) - p_world));
-        if (plane_m > params.plane_tolerance * pixel_m + 0.1 * length(aside)) continue;
-        if (dot(n_g, gbufferGeometricNormal(at)) < params.normal_tolerance) continue;
+        if (!isSameSurface(p_world, n_g, pixel_m, at, 0.1)) continue;
         sum += texelFetch(t_hard, at, 0).r;
         total += 1.0;
     }

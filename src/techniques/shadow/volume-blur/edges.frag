@@ -14,9 +14,6 @@ layout(binding = 7) uniform sampler2D t_nearness;   // contact.frag; 0: no side
 const float kNear = 1.5;
 #endif
 
-// Distance of a neighbour from the tangent plane, in pixels' sizes, from which on it is another surface.
-const float kStep = 2.0;
-
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(frame.viewport.xy) - 1;
     o_edge = uvec2(kNoEdge, 0u);
@@ -32,8 +29,7 @@ void main() {
     const ivec2 steps[4] = ivec2[](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
     for (int i = 0; i < 4; ++i) {
         ivec2 at = clamp(pixel + steps[i], ivec2(0), last);
-        float depthThere = gbufferDepth(at);
-        if (depthThere == 0.0 || abs(dot(n_g, positionOf(at, depthThere) - p_world)) > kStep * pixel_m) continue;
+        if (!isSameSurface(p_world, n_g, pixel_m, at, 0.0)) continue;
         isEdge = isEdge || texelFetch(t_hard, at, 0).r != hard;
 #if MODE == MODE_CONTACT
         float nearnessThere = texelFetch(t_nearness, at, 0).r;

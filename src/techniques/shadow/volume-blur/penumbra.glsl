@@ -35,3 +35,13 @@ vec3 positionOf(ivec2 pixel, float depth) {
     vec2 uv = (vec2(pixel) + 0.5) * frame.viewport.zw;
     return (frame.worldFromView * vec4(positionViewFromDepth(uv, depth), 1.0)).xyz;
 }
+
+// Whether a pixel shows the surface that p_world with normal n_g and pixels of size pixel_m lies on; `rise` is how far it
+// may leave the tangent plane, per metre from p_world.
+bool isSameSurface(vec3 p_world, vec3 n_g, float pixel_m, ivec2 at, float rise) {
+    float depth = gbufferDepth(at);
+    if (depth == 0.0) return false;
+    vec3 aside = positionOf(at, depth) - p_world;
+    if (abs(dot(n_g, aside)) > params.plane_tolerance * pixel_m + rise * length(aside)) return false;
+    return dot(n_g, gbufferGeometricNormal(at)) >= params.normal_tolerance;
+}

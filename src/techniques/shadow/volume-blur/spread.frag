@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One step of jump flooding (Rong and Tan 2006): every pixel takes from nine pixels u_step apart the edge that reaches it best,
-// by distance over radius.
+// by distance over radius. Edges of its own surface come first; others are carried past it, and dropped at last.
 #include "shadow/volume-blur/penumbra.glsl"
 
 layout(location = 0) out uvec2 o_edge;
@@ -12,10 +12,18 @@ uniform int u_step;
 // Edges are handed on a little farther than they reach, for those that come round another.
 const float kFarther = 1.5;
 
+// Worse than any of the own surface.
+const float kOther = 1e3;
+
+// Slope of a bent receiver against the tangent plane that is one surface still.
+const float kBend = 0.3;
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(frame.viewport.xy) - 1;
     o_edge = uvec2(kNoEdge, 0u);
-    float best = kFarther;
+    float best = 2.0 * kOther, depth = gbufferDepth(pixel);
+    vec3 p_world = positionOf(pixel, depth), n_g = gbufferGeometricNormal(pixel);
+    float pixel_m = pixelSizeAt(viewDepthFromDepth(depth));
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 at = pixel + ivec2(x, y) * u_step;
@@ -23,8 +31,11 @@ void main() {
             uvec2 edge = texelFetch(t_edges, at, 0).xy;
             if (edge.x == kNoEdge) continue;
             float radius_px = max(unpackHalf2x16(edge.y).x, 0.5);
-            float reach = distance(vec2(edge.x & 0xffffu, edge.x >> 16), vec2(pixel)) / radius_px;
-            if (reach < best) {
+            ivec2 edgeAt = ivec2(edge.x & 0xffffu, edge.x >> 16);
+            float reach = distance(vec2(edgeAt), vec2(pixel)) / radius_px;
+            if (reach >= min(best, kFarther)) continue;
+            if (depth == 0.0 || !isSameSurface(p_world, n_g, pixel_m, edgeAt, kBend)) reach += kOther;
+            if (reach < best && (reach < kOther || u_step > 1)) {
                 best = reach;
                 o_edge = edge;
             }
