@@ -6,11 +6,9 @@
 layout(location = 0) out uvec2 o_edge;
 
 layout(binding = 5) uniform usampler2D t_edges;
+layout(binding = 6) uniform sampler2D t_hard;
 
 uniform int u_step;
-
-// Edges are handed on a little farther than they reach, for those that come round another.
-const float kFarther = 1.5;
 
 // Worse than any of the own surface.
 const float kOther = 1e3;
@@ -24,13 +22,15 @@ void main() {
     float best = 2.0 * kOther, depth = gbufferDepth(pixel);
     vec3 p_world = positionOf(pixel, depth), n_g = gbufferGeometricNormal(pixel);
     float pixel_m = pixelSizeAt(viewDepthFromDepth(depth));
+    // In the shadow the nearest edge counts, however narrow its penumbra: beyond that the shadow is whole.
+    bool isDark = texelFetch(t_hard, pixel, 0).r == 0.0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) {
             ivec2 at = pixel + ivec2(x, y) * u_step;
             if (any(lessThan(at, ivec2(0))) || any(greaterThan(at, last))) continue;
             uvec2 edge = texelFetch(t_edges, at, 0).xy;
             if (edge.x == kNoEdge) continue;
-            float radius_px = max(unpackHalf2x16(edge.y).x, 0.5);
+            float radius_px = isDark ? params.reach : max(unpackHalf2x16(edge.y).x, 0.5);
             ivec2 edgeAt = ivec2(edge.x & 0xffffu, edge.x >> 16);
             float reach = distance(vec2(edgeAt), vec2(pixel)) / radius_px;
             if (reach >= min(best, kFarther)) continue;
