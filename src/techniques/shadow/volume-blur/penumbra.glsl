@@ -34,9 +34,12 @@ float constantRadius_m(float pixel_m) {
     return 0.5 * params.width * (UNIT == UNIT_PIXELS ? pixel_m : 1.0);
 }
 
+vec3 positionInView(ivec2 pixel, float depth) {
+    return positionViewFromDepth((vec2(pixel) + 0.5) * frame.viewport.zw, depth);
+}
+
 vec3 positionOf(ivec2 pixel, float depth) {
-    vec2 uv = (vec2(pixel) + 0.5) * frame.viewport.zw;
-    return (frame.worldFromView * vec4(positionViewFromDepth(uv, depth), 1.0)).xyz;
+    return (frame.worldFromView * vec4(positionInView(pixel, depth), 1.0)).xyz;
 }
 
 // Whether a pixel shows the surface that p_world with normal n_g and pixels of size pixel_m lies on; `rise` is how far it

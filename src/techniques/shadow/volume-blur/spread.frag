@@ -20,7 +20,8 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(frame.viewport.xy) - 1;
     o_edge = uvec2(kNoEdge, 0u);
     float best = 2.0 * kOther, depth = gbufferDepth(pixel);
-    vec3 p_world = positionOf(pixel, depth), n_g = gbufferGeometricNormal(pixel);
+    if (depth == 0.0) depth = 1e-9;
+    vec3 p_view = positionInView(pixel, depth), n_view = gbufferGeometricNormal(pixel) * mat3(frame.worldFromView);
     float pixel_m = pixelSizeAt(viewDepthFromDepth(depth));
     // In the shadow the nearest edge counts, however narrow its penumbra: beyond that the shadow is whole.
     bool isDark = texelFetch(t_hard, pixel, 0).r == 0.0;
@@ -32,9 +33,10 @@ void main() {
             if (edge.x == kNoEdge) continue;
             float radius_px = isDark ? params.reach : max(unpackHalf2x16(edge.y).x, 0.5);
             ivec2 edgeAt = ivec2(edge.x & 0xffffu, edge.x >> 16);
-            float reach = distance(vec2(edgeAt), vec2(pixel)) / radius_px;
+            float apart_px = distance(vec2(edgeAt), vec2(pixel)), reach = apart_px / radius_px;
             if (reach >= min(best, kFarther)) continue;
-            if (depth == 0.0 || !isSameSurface(p_world, n_g, pixel_m, edgeAt, kBend)) reach += kOther;
+            float rise_m = abs(dot(n_view, positionInView(edgeAt, gbufferDepth(edgeAt)) - p_view));
+            if (rise_m > (params.plane_tolerance + kBend * apart_px) * pixel_m) reach += kOther;
             if (reach < best && (reach < kOther || u_step > 1)) {
                 best = reach;
                 o_edge = edge;
