@@ -63,20 +63,22 @@ TEST(VolumeBlur, WhatIsBelowTheHorizonSendsNothing) {
 
 TEST(VolumeBlur, AShadowStaysWholeWhereAWiderPenumbraReachesIntoIt) {
     HalfPlane half(LightType::Spot);
-    const float x = HalfPlane::kLightX_m, z = HalfPlane::kLight_m, high = 14, low = 6;
+    const float x = HalfPlane::kLightX_m, z = HalfPlane::kLight_m, high = 14, low = 6, left = -5.8f;
     half.scene = [&] {
         Scene scene = emptyScene(HalfPlane::kSize_px);
         addQuad(scene, {{-99, -99, 0}, {99, -99, 0}, {99, 99, 0}, {-99, 99, 0}}, 0.1f);
-        addQuad(scene, {{-99, -99, high}, {-4, -99, high}, {-4, 99, high}, {-99, 99, high}}, 0.1f);
+        addQuad(scene, {{-99, -99, high}, {left, -99, high}, {left, 99, high}, {-99, 99, high}}, 0.1f);
         addQuad(scene, {{5, -99, low}, {20, -99, low}, {20, 99, low}, {5, 99, low}}, 0.1f);
         scene.lights = half.scene.lights;
         return scene;
     }();
     const auto shadowOf = [&](float edge, float height) { return edge + (edge - x) * height / (z - height); };
     const float penumbra_m = HalfPlane::kRadius_m * low / (z - low), from = shadowOf(5, low), to = shadowOf(20, low);
-    // The upper sheet's penumbra is 16 m to either side, and ends within the lower one's shadow.
-    ASSERT_GT(from, shadowOf(-4, high));
-    ASSERT_LT(shadowOf(-4, high) + HalfPlane::kRadius_m * high / (z - high), to);
+    // The upper sheet's penumbra is 16 m to either side of what is seen left of the lower sheet, and ends in its
+    // shadow.
+    ASSERT_GT(from, shadowOf(left, high));
+    ASSERT_LT(shadowOf(left, high), 5.0f);
+    ASSERT_LT(shadowOf(left, high) + HalfPlane::kRadius_m * high / (z - high), to);
     const std::vector<float> row = half.row("shadow/volume-blur:samples=256");
     int whole = 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
