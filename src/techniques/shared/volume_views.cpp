@@ -28,7 +28,8 @@ void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes
     VolumeLook look{.fragmentPath = kVolumeTintPath};
     if (!edgesOnly) {
         volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
-        state.blend = false;
+        // An outline counts once, however many lie there: many sides in few pixels would be outlines alone.
+        state.blendEquation = GL_MAX;
         state.wireframe = true;
         gl::apply(state);
         look.defines = {{"OUTLINE", ""}};
@@ -38,7 +39,7 @@ void showQuads(FrameContext& frame, const LightFrame& light, const ShadowVolumes
         state.blend = false;
         state.depthTest = false;
         gl::apply(state);
-        look.defines = {{"OUTLINE", ""}};
+        look.defines = {{"EDGE", ""}};
         look.distance_m = kFin * glm::length(frame.gpuScene->casterUpper() - frame.gpuScene->casterLower());
         volumes.draw(frame, light, VolumePart::Sides, VolumePart::Sides, chosen, look);
     }
@@ -80,7 +81,9 @@ gl::DrawState volumeOverlay() {
     gl::DrawState state;
     state.depthTest = true;
     state.depthFunc = GL_GEQUAL;
+    // The more lie there already, the less each adds: hundreds are no white spot.
     state.blend = true;
+    state.blendDestination = GL_ONE_MINUS_SRC_COLOR;
     return state;
 }
 

@@ -115,7 +115,7 @@ public:
         }
         Contact contact;
         if (byContact) contact = drawContact(frame, light);
-        const TargetPool::Target edges = spread(frame, findEdges(frame, *hard, contact));
+        const TargetPool::Target edges = spread(frame, *hard, findEdges(frame, *hard, contact));
         blur(frame, *hard, *edges, visibility);
         if (frame.wants(kHard)) frame.expose(kHard, *hard, ShowAs::Value);
         if (frame.wants(kContact)) show(frame, *edges, true);
@@ -177,7 +177,7 @@ private:
     }
 
     /// Hands every edge to the pixels that it may reach.
-    TargetPool::Target spread(FrameContext& frame, TargetPool::Target edges) {
+    TargetPool::Target spread(FrameContext& frame, const gl::Texture& hard, TargetPool::Target edges) {
         const auto pass = frame.pass("spread edges");
         // Edges of a width in pixels reach no farther than that.
         const bool inPixels = p().mode == BlurMode::Constant && p().unit == BlurUnit::Pixels;
@@ -191,6 +191,7 @@ private:
             const gl::Program& program = frame.fullscreenProgram(*this, "shadow/volume-blur/spread.frag");
             program.set("u_step", step);
             edges->bind(kFirstFreeUnit);
+            hard.bind(kFirstFreeUnit + 1);
             gl::apply({});
             frame.drawFullscreen();
             edges = next;

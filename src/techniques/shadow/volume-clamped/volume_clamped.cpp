@@ -80,21 +80,21 @@ public:
     }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
+        // Volumes that end have more triangles: they are made again only where the plan says other than the last one.
         ShadowVolumeOptions options(p());
-        options.slabs = true;
+        options.slabs = m_ends;
         m_volumes.update(frame, light, options);
-        m_volumes.report(frame);
         findReceivers(frame, light);
         plan(frame, light);
+        options.slabs = m_ends = m_plan->clamped > 0;
+        m_volumes.update(frame, light, options);
+        if (m_ends) m_volumes.setSlabs(m_plan->slabs);
+        m_volumes.report(frame);
 
         const VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         {
             const auto pass = frame.pass("shadow volumes");
-            const bool clampDepth = !frame.view.orthographic;
-            counter.begin(m_plan->atTheEye);
-            counter.zPass(m_plan->zPass, clampDepth);
-            counter.zPassLightCaps(m_plan->beginApart, clampDepth);
-            counter.zFail(m_plan->zFail);
+            count(frame, counter);
         }
         showVolumes(frame, light, m_volumes, m_plan->kept);
         if (frame.wants(kReceiversPass)) showReceivers(frame);
@@ -133,6 +133,14 @@ private:
         int shadowed = 0, withoutReceivers = 0, clamped = 0, apart = 0;
     };
 
+    void count(const FrameContext& frame, const VolumeCounter& counter) const {
+        const bool clampDepth = !frame.view.orthographic;
+        counter.begin(m_plan->atTheEye);
+        counter.zPass(m_plan->zPass, clampDepth);
+        counter.zPassLightCaps(m_plan->beginApart, clampDepth);
+        counter.zFail(m_plan->zFail);
+    }
+
     /// Lloyd et al. 2004, section 4: what of each cell of the light's rays the camera sees. Waits for the GPU.
     void findReceivers(FrameContext& frame, const LightFrame& light) {
         Seen seen{
@@ -169,10 +177,7 @@ private:
 
     /// Decides caster by caster; what is kept of the volumes is closed.
     void plan(FrameContext& frame, const LightFrame& light) {
-        if (m_plan && m_plan->cull == p().cull && m_plan->clamp == p().clamp) {
-            m_volumes.setSlabs(m_plan->slabs);
-            return;
-        }
+        if (m_plan && m_plan->cull == p().cull && m_plan->clamp == p().clamp) return;
         const TraceScope trace("cull and clamp");
         const GpuScene& scene = *frame.gpuScene;
         const VolumeChoice& casters = m_volumes.casters();
@@ -205,37 +210,62 @@ private:
             (byZFail ? made.zFail : made.zPass)[i] = true;
             bool holdsEye = true;
             if (p().clamp && box) {
-                made.clamped += 1;
-                made.slabs[i] = clampedSlab(frame, *box, margin_m, holdsEye);
-                const bool isApart = made.slabs[i].near != glm::vec4(0.0f);
+                made.slabs[i] = clampedSlab(frame, i, *box, margin_m, holdsEye);
+                const bool isApart = made.slabs[i].near != glm::vec4(0.0f), isCut = made.slabs[i] != VolumeSlab{};
+                made.clamped += isCut ? 1 : 0;
                 made.apart += isApart ? 1 : 0;
                 made.beginApart[i] = !byZFail && isApart;
-                made.fates[i] = isApart ? Fate::ClampedTwice : Fate::Clamped;
+                made.fates[i] = isApart ? Fate::ClampedTwice : isCut ? Fate::Clamped : Fate::Whole;
             }
             aroundEye[i] = !byZFail && holdsEye;
         }
         made.atTheEye = m_volumes.around(frame, light, frame.view.eye, aroundEye);
-        m_volumes.setSlabs(made.slabs);
         m_plan = std::move(made);
     }
 
-    /// The slab that holds all receivers in the caster's way. @param holdsEye whether the eye lies in it
-    VolumeSlab clampedSlab(const FrameContext& frame, const BoxSight& box, float margin_m, bool& holdsEye) const {
+    /// The slab that holds all receivers in the caster's way; an end that cuts off nothing in view is left out.
+    /// @param holdsEye whether the eye lies in it
+    VolumeSlab clampedSlab(const FrameContext& frame, std::size_t caster, const BoxSight& box, float margin_m,
+                           bool& holdsEye) const {
         const auto receivers = m_grid->receiversOf(box);
         const float eye_m = m_rays.along(box.axis, frame.view.eye), reach_m = frame.view.nearReach_m() + margin_m;
         VolumeSlab slab;
+        holdsEye = true;
         // It never ends within the caster, which would turn it inside out, nor at the eye.
         float end_m = std::max(receivers ? receivers->farthest_m : box.farthest_m, box.farthest_m) + margin_m;
         if (std::abs(eye_m - end_m) <= reach_m) end_m = eye_m + 2 * reach_m;
-        slab.far = m_rays.plane(box.axis, end_m);
-        holdsEye = eye_m < end_m;
+        if (isSeen(frame, caster, box.axis, end_m, true)) {
+            slab.far = m_rays.plane(box.axis, end_m);
+            holdsEye = eye_m < end_m;
+        }
 
         const float begin_m = (receivers ? receivers->nearest_m : 0.0f) - margin_m;
-        if (begin_m > box.farthest_m + margin_m && std::abs(eye_m - begin_m) > reach_m) {
+        if (begin_m > box.farthest_m + margin_m && std::abs(eye_m - begin_m) > reach_m &&
+            isSeen(frame, caster, box.axis, begin_m, false)) {
             slab.near = m_rays.plane(box.axis, begin_m);
             holdsEye = holdsEye && eye_m > begin_m;
         }
         return slab;
+    }
+
+    /// Whether the picture may show something of a volume beyond the plane at that distance along the axis, or of what
+    /// lies between the caster and it: the rays through the corners of its bounds hold all of that.
+    bool isSeen(const FrameContext& frame, std::size_t caster, const glm::vec3& axis, float at_m, bool beyond) const {
+        const auto& [lower, upper] = frame.gpuScene->instanceBounds(caster);
+        unsigned outside = ~0u;  // of the sides of the picture and of the eye's plane: those that all of it is beyond
+        const auto add = [&](const glm::vec4& p_world) {
+            const glm::vec4 clip = frame.view.clipFromWorld * p_world;
+            outside &= unsigned(clip.x < -clip.w) | unsigned(clip.x > clip.w) << 1 | unsigned(clip.y < -clip.w) << 2 |
+                       unsigned(clip.y > clip.w) << 3 | unsigned(clip.w <= 0.0f) << 4;
+        };
+        for (int c = 0; c < 8; ++c) {
+            const glm::vec3 corner(c & 1 ? upper.x : lower.x, c & 2 ? upper.y : lower.y, c & 4 ? upper.z : lower.z);
+            const glm::vec3 ray = m_rays.sun ? m_rays.direction : corner - m_rays.position;
+            const float steps = (at_m - m_rays.along(axis, corner)) / glm::dot(axis, ray);
+            add(glm::vec4(corner + steps * ray, 1.0f));
+            add(beyond ? glm::vec4(ray, 0.0f) : glm::vec4(corner, 1.0f));
+        }
+        return outside == 0;
     }
 
     void showReceivers(FrameContext& frame) const {
@@ -283,10 +313,17 @@ private:
         ShadowVolumeOptions endless = m_volumes.options();
         endless.slabs = false;
         VolumeFill fill = countFill(frame, light, endless);
+        double own = 0;
         {
             const FrameContext::Uncounted aside(frame);
             fill.counted = sumOf(drawFill(frame, light, m_volumes, m_plan->kept));
+            const gl::Texture image = emptyFill(frame);
+            VolumeCounter counter(frame, light, m_volumes, p().twoSided);
+            counter.addFragmentsTo(image);
+            count(frame, counter);
+            own = sumOf(image);
         }
+        frame.counter("fill", own);
         reportFill(frame, fill);
     }
 
@@ -296,6 +333,7 @@ private:
     std::optional<Seen> m_seen;
     std::optional<ReceiverGrid> m_grid;
     std::optional<Plan> m_plan;
+    bool m_ends = false;  ///< the volumes are those that begin and end at slabs
 };
 
 }  // namespace

@@ -249,7 +249,7 @@ private:
         target.bind();
         gl::DrawState state = volumeOverlay();
         for (const Layer& layer : layers) addWedges(frame, light, layer, state, kVolumeTintPath);
-        state.blend = false;
+        state.blendEquation = GL_MAX;
         state.wireframe = true;
         for (const Layer& layer : layers) addWedges(frame, light, layer, state, kVolumeTintPath, {{"OUTLINE", ""}});
         frame.expose(kFaces, picture, ShowAs::Color);
