@@ -46,13 +46,13 @@ bool isOnBorder(const FrameContext& frame, const LightFrame& light, std::size_t 
 
 }  // namespace
 
-bool hasHoles(const FrameContext& frame, std::size_t instance) {
+bool isAlphaTested(const FrameContext& frame, std::size_t instance) {
     const int material = frame.gpuScene->flat().instances[instance].material;
     return frame.gpuScene->scene().materials[std::size_t(material)].alphaMode == AlphaMode::Mask;
 }
 
 bool countsFromEye(const FrameContext& frame, const LightFrame& light, std::size_t instance) {
-    return !hasHoles(frame, instance) && !touchesEye(frame, instance) && !isOnBorder(frame, light, instance);
+    return !isAlphaTested(frame, instance) && !touchesEye(frame, instance) && !isOnBorder(frame, light, instance);
 }
 
 }  // namespace ombrage

@@ -17,6 +17,6 @@ struct LightFrame;
 bool countsFromEye(const FrameContext& frame, const LightFrame& light, std::size_t instance);
 
 /// Whether the instance is alpha-tested.
-bool hasHoles(const FrameContext& frame, std::size_t instance);
+bool isAlphaTested(const FrameContext& frame, std::size_t instance);
 
 }  // namespace ombrage

@@ -18,10 +18,13 @@ namespace ombrage {
 
 namespace {
 
-/// Distance of a lamp's far ends under an orthographic camera, in diagonals of the scene: the caps between them lie
-/// before them, the nearer to the lamp the wider it sees a triangle. More of it costs the precision that sides and caps
-/// are clipped with (1e4: up to 0.0015 of a picture wrong; 1e5: 0.03).
+/// Distance of far ends under an orthographic camera, but for a sun's volumes, in diagonals of the scene: the caps
+/// between them lie before them, the nearer to the lamp the wider it sees a triangle. More of it costs the precision
+/// that sides and caps are clipped with (1e4: up to 0.0015 of a picture wrong; 1e5: 0.03).
 constexpr float kOrthographicInfinity = 1e3f;
+
+/// Of shared/volume_edges.glsl: bound on the error of a side, as a share of its summands.
+constexpr double kPlaneRounding = 3.6e-7;
 
 constexpr int kGroupSize = 64;  // of shared/volume_silhouette.comp
 
@@ -87,10 +90,11 @@ SceneTopology::SceneTopology(const GpuScene& scene) {
     for (const Mesh& mesh : scene.scene().meshes) {
         m_meshes.emplace_back(mesh);
         Bounds bounds;
-        for (const glm::vec3& p : mesh.positions) {
-            bounds.lower = glm::min(bounds.lower, glm::dvec3(p));
-            bounds.upper = glm::max(bounds.upper, glm::dvec3(p));
-        }
+        for (const glm::uvec3& t : m_meshes.back().triangles())
+            for (int k = 0; k < 3; ++k) {
+                bounds.lower = glm::min(bounds.lower, glm::dvec3(mesh.positions[t[k]]));
+                bounds.upper = glm::max(bounds.upper, glm::dvec3(mesh.positions[t[k]]));
+            }
         m_bounds.push_back(bounds);
     }
 }
@@ -168,6 +172,9 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
         localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
                                                         : glm::dvec4(m_key->position, 1.0));
     request.inPlane_local = m_key->type == LightType::Sun ? 0.0 : inPlane(gpuScene, i, glm::dvec3(request.light_local));
+    // Shaders have rounded planes, and who counts at the eye must count what they draw.
+    request.rounding =
+        m_key->options.source == SilhouetteSource::Cpu || m_key->type == LightType::Sun ? 0.0 : kPlaneRounding;
     request.mirrored = instance.mirrored;
     request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
     request.litOnly = m_key->options.casting == CastingSide::Lit;
@@ -370,7 +377,7 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
 float ShadowVolumes::infinity(const FrameContext& frame) {
     if (!frame.view.orthographic) return 0.0f;
     const Bounds& bounds = frame.gpuScene->bounds();
-    return 1.0f / (kOrthographicInfinity * float(glm::length(bounds.upper - bounds.lower)));
+    return 1.0f / (kOrthographicInfinity * float(bounds.diagonal()));
 }
 
 std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instance) const {

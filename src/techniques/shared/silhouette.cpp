@@ -160,7 +160,8 @@ private:
         const std::size_t count = m_topology.triangleCount();
         m_weight.resize(count);
         const auto light = glm::vec4(m_request.light_local);
-        const auto inPlane = float(m_request.inPlane_local * 1.001);
+        const auto inPlane = float(m_request.inPlane_local * 1.001),
+                   rounding = kRounding + float(m_request.rounding * 1.001);
         const std::int8_t facing = m_request.weightFacing(), away = m_request.weightAway();
         const float *x = m_topology.m_roundedPlanes[0].data(), *y = m_topology.m_roundedPlanes[1].data(),
                     *z = m_topology.m_roundedPlanes[2].data(), *w = m_topology.m_roundedPlanes[3].data();
@@ -173,7 +174,7 @@ private:
                     const float px = x[first + i] * light.x, py = y[first + i] * light.y, pz = z[first + i] * light.z,
                                 pw = w[first + i] * light.w;
                     side[i] = px + py + pz + pw;
-                    doubt[i] = kRounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw)) +
+                    doubt[i] = rounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw)) +
                                inPlane * (std::abs(x[first + i]) + std::abs(y[first + i]) + std::abs(z[first + i]));
                 }
                 for (std::size_t i = 0; i < std::min(kBlock, count - first); ++i)

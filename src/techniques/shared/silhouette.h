@@ -65,6 +65,7 @@ struct VolumeRequest {
     glm::dvec4 light_local{0, 1, 0, 0};
     /// A triangle whose plane passes nearer to the light than this casts nothing: no ray to the light crosses it.
     double inPlane_local = 0;
+    double rounding = 0;  ///< more of that, as a share of the sizes of what dot(plane, light) sums up
     /// The mesh's space is the mirror image of the world's.
     bool mirrored = false;
     /// Both: every triangle, turned towards the light, casts. Else only those turned away from the light do, which is
@@ -84,7 +85,8 @@ struct VolumeRequest {
     /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
     std::int8_t weight(const glm::dvec4& plane) const {
         const double side = glm::dot(plane, light_local);
-        if (std::abs(side) <= inPlane_local * glm::length(glm::dvec3(plane))) return 0;
+        const double doubt = rounding * glm::dot(glm::abs(plane), glm::abs(light_local));
+        if (std::abs(side) <= inPlane_local * glm::length(glm::dvec3(plane)) + doubt) return 0;
         return side > 0.0 ? weightFacing() : weightAway();
     }
     std::int8_t weightFacing() const { return both || litOnly || faces == VolumeFaces::All ? 1 : 0; }

@@ -22,7 +22,7 @@ VolumeChoice countedByZFail(const FrameContext& frame, const LightFrame& light, 
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto& [lower, upper] = frame.gpuScene->instanceBounds(i);
         chosen[i] = clamps(frame, mode) ? !countsFromEye(frame, light, i)
-                                        : hasHoles(frame, i) || nearClip.touches(lower, upper);
+                                        : isAlphaTested(frame, i) || nearClip.touches(lower, upper);
     }
     return chosen;
 }

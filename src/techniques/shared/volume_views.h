@@ -22,7 +22,8 @@ void showVolumes(FrameContext& frame, const LightFrame& light, const ShadowVolum
 gl::Texture volumeBackdrop(FrameContext& frame);
 gl::DrawState volumeOverlay();
 
-/// Fragments of what is drawn so: front faces reddish and back faces bluish, or with OUTLINE one colour for wires.
+/// Fragments of what is drawn so: front faces reddish and back faces bluish, brighter with OUTLINE, for wires; or
+/// one colour with EDGE, LIGHT_CAP and DARK_CAP.
 inline constexpr const char* kVolumeTintPath = "shared/volume_view.frag";
 
 /// Exposes empty pictures in the place of those that a hard light has nothing to show in.

@@ -18,7 +18,8 @@ std::vector<std::uint32_t> edgeOnBits(const FlatScene& flat, const glm::dvec3& p
                              c = flat.positions[corners.z];
             const glm::dvec3 normal = glm::cross(b - a, c - a);
             const double height = glm::dot(normal, place - a);
-            if (height * height > tolerance_m * tolerance_m * glm::dot(normal, normal)) continue;
+            // None that has no area.
+            if (height * height >= tolerance_m * tolerance_m * glm::dot(normal, normal)) continue;
             if (bits.empty()) bits.resize((flat.triangles.size() + 31) / 32);
             bits[t / 32] |= 1u << (t % 32);
         }

@@ -14,7 +14,7 @@ namespace ombrage::planar {
 class EdgeOnCasters {
 public:
     /// Bits per global triangle, or null where none is edge-on, and for a sun, whose edge-on casters stay narrow.
-    /// Looks at every triangle once per place of the light.
+    /// Looks at every triangle once per place of the light; the tolerance may change with the geometry alone.
     const gl::Buffer* find(const FrameContext& frame, const LightFrame& light, float tolerance_m);
     /// The geometry changed.
     void clear() { m_found.clear(); }

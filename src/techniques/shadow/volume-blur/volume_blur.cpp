@@ -245,7 +245,7 @@ OMBRAGE_TECHNIQUE(
      .papers = {"everitt2002volumes", "fernando2005pcss", "rong2006jump", "vogel1979"},
      .limits =
          "Knows the shadows that the picture shows and one caster for each pixel: edges beyond the picture's border or "
-         "behind something else are missing, and penumbrae of different widths do not mix.",
+         "behind something else are missing, and penumbrae of different widths mix roughly.",
      .domain = {.soft = true, .closedCastersOnly = true, .alphaTest = false},
      .passes = blurPasses(),
      .needsStencil = true,

@@ -65,8 +65,8 @@ std::vector<PassInfo> clampedPasses() {
     passes.push_back(
         {kReceiversPass, "distance from the light of the farthest visible receiver in each cell of the grid"});
     passes.push_back({kCastersPass,
-                      "casters: culled in another's shadow blue, without receivers red, volumes clamped behind them "
-                      "yellow, at both ends green, whole white"});
+                      "casters: culled in another's shadow blue, without receivers red, volumes cut at one end "
+                      "yellow, at both green, whole white"});
     passes.push_back({kFillLeftPass, "triangles over each pixel that are left of `volume-fill`"});
     return passes;
 }
@@ -130,7 +130,7 @@ private:
         std::vector<VolumeSlab> slabs;
         std::vector<Fate> fates;
         int atTheEye = 0;
-        int shadowed = 0, withoutReceivers = 0, clamped = 0, apart = 0;
+        int shadowed = 0, withoutReceivers = 0, clamped = 0, clampedTwice = 0;
     };
 
     void count(const FrameContext& frame, const VolumeCounter& counter) const {
@@ -211,11 +211,12 @@ private:
             bool holdsEye = true;
             if (p().clamp && box) {
                 made.slabs[i] = clampedSlab(frame, i, *box, margin_m, holdsEye);
-                const bool isApart = made.slabs[i].near != glm::vec4(0.0f), isCut = made.slabs[i] != VolumeSlab{};
+                const bool beginsApart = made.slabs[i].near != glm::vec4(0.0f), isCut = made.slabs[i] != VolumeSlab{},
+                           isCutTwice = beginsApart && made.slabs[i].far != glm::vec4(0.0f);
                 made.clamped += isCut ? 1 : 0;
-                made.apart += isApart ? 1 : 0;
-                made.beginApart[i] = !byZFail && isApart;
-                made.fates[i] = isApart ? Fate::ClampedTwice : isCut ? Fate::Clamped : Fate::Whole;
+                made.clampedTwice += isCutTwice ? 1 : 0;
+                made.beginApart[i] = !byZFail && beginsApart;
+                made.fates[i] = isCutTwice ? Fate::ClampedTwice : isCut ? Fate::Clamped : Fate::Whole;
             }
             aroundEye[i] = !byZFail && holdsEye;
         }
@@ -234,7 +235,8 @@ private:
         // It never ends within the caster, which would turn it inside out, nor at the eye.
         float end_m = std::max(receivers ? receivers->farthest_m : box.farthest_m, box.farthest_m) + margin_m;
         if (std::abs(eye_m - end_m) <= reach_m) end_m = eye_m + 2 * reach_m;
-        if (isSeen(frame, caster, box.axis, end_m, true)) {
+        // A sun's rays must not meet, as endless ones do under an orthographic camera.
+        if ((m_rays.sun && frame.view.orthographic) || isSeen(frame, caster, box.axis, end_m, true)) {
             slab.far = m_rays.plane(box.axis, end_m);
             holdsEye = eye_m < end_m;
         }
@@ -307,7 +309,7 @@ private:
         frame.counter("casters culled in shadow", m_plan->shadowed);
         frame.counter("casters culled without receivers", m_plan->withoutReceivers);
         frame.counter("casters clamped", m_plan->clamped);
-        frame.counter("of those at both ends", m_plan->apart);
+        frame.counter("of those at both ends", m_plan->clampedTwice);
         frame.counter("volumes around the eye", m_plan->atTheEye);
         if (!frame.countsSavings()) return;
         ShadowVolumeOptions endless = m_volumes.options();

@@ -69,7 +69,7 @@ TEST(VolumeClamped, ShowsWhichCastersItLeavesOut) {
 /// What lies behind the last receiver is cut off where the picture would show it, and left as it is elsewhere: ends
 /// cost triangles.
 TEST(VolumeClamped, EndsNoVolumeWhereThatSavesNothing) {
-    static Scene scene = Bench::of("gap").scene();
+    Scene scene = Bench::of("gap").scene();
     const auto ends = shadowOf(scene, "shadow/volume-clamped:cull=off").counters;
     EXPECT_GE(ends.at("casters clamped"), 1);
     EXPECT_GT(ends.at("fill saved"), 0);

@@ -126,8 +126,9 @@ OMBRAGE_TECHNIQUE(
      .summary = "Stencil shadow volumes counted once for every 8x8 pixels, and pixel by pixel only in the tiles whose "
                 "surfaces the boundary of a volume crosses.",
      .papers = {"aila2004hierarchical", "olano1997homogeneous", "crow1977", "kim2008volumes"},
-     .limits = "The whole picture is counted where a caster touches the eye, and by orthographic cameras. Hard shadows "
-               "of opaque triangles only: holes of alpha-tested casters are filled.",
+     .limits = "The whole picture is counted where a caster touches the eye, has holes or has the eye on its volume's "
+               "border, and by orthographic cameras. Hard shadows of opaque triangles only: holes of alpha-tested "
+               "casters are filled.",
      .domain = {.rect = false, .closedCastersOnly = true, .alphaTest = false},
      .passes = tiledPasses(),
      .needsStencil = true})

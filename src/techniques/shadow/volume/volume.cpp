@@ -12,11 +12,13 @@ struct AutomaticVolumeParams : VolumeParams {
 
     static ParamTable describe() {
         using P = AutomaticVolumeParams;
-        return volumeTable({field(&P::count, "count")
-                                .effect(ParamEffect::Host)
-                                .help("near-clip: z-fail for casters that reach between the near plane and the light, "
-                                      "z-pass for the others. clamp: z-pass for all but those that touch the eye, with "
-                                      "depth clamped and the count started from the casters between eye and light.")});
+        return volumeTable(
+            {field(&P::count, "count")
+                 .effect(ParamEffect::Host)
+                 .help("near-clip: z-fail for casters that reach between the near plane and the light, "
+                       "z-pass for the others. clamp: z-pass for all but those that touch the eye or have it "
+                       "on their volume's border, with depth clamped and the count started from the casters "
+                       "between eye and light. Alpha-tested casters are always counted by z-fail.")});
     }
 };
 
