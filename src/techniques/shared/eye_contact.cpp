@@ -36,12 +36,9 @@ bool isOnBorder(const FrameContext& frame, const LightFrame& light, std::size_t 
     if (!gpuScene.isOnTheWay(instance, frame.view.eye, light.toward())) return false;
     const int mesh = gpuScene.flat().instances[instance].mesh;
     const glm::dmat4 localFromWorld = glm::inverse(gpuScene.scene().instances[instance].worldFromLocal);
-    const bool isSun = light.light->type == LightType::Sun;
-    const glm::dvec4 toward = isSun ? glm::dvec4(-glm::dvec3(light.light->direction), 0.0)
-                                    : glm::dvec4(light.light->position, 1.0),
-                     eye(glm::dvec3(frame.view.eye) + gpuScene.origin(), 1.0);
+    const glm::dvec4 eye(glm::dvec3(frame.view.eye) + gpuScene.origin(), 1.0);
     return touchesEdge(gpuScene.derived<SceneTopology>().mesh(mesh), gpuScene.scene().meshes[std::size_t(mesh)],
-                       localFromWorld * toward, localFromWorld * eye);
+                       localFromWorld * light.towardInWorld(), localFromWorld * eye);
 }
 
 }  // namespace

@@ -54,10 +54,8 @@ void LightDepth::update(FrameContext& frame, const LightFrame& light, const Opti
                                .width = options.resolution,
                                .height = options.resolution,
                                .layers = int(m_views->views.size())};
-    if (!m_map || m_map.desc() != desc) {
-        m_map = gl::Texture(desc, "light depth");
-        if (options.compare) m_map.setCompare(GL_GEQUAL);
-    }
+    if (!m_map || m_map.desc() != desc) m_map = gl::Texture(desc, "light depth");
+    m_map.setCompare(options.compare ? GL_GEQUAL : GL_NONE);
     const auto pass = frame.pass("light depth");
     drawLightDepth(frame, light, *m_views, m_map, options.cull);
     m_drawn = {*m_views, options, casterPlacements(frame)};

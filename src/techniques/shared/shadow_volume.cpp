@@ -132,11 +132,7 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
     // Triangles turned away from the light are enough where every ray to the light enters the mesh as often as it
     // leaves it: a closed mesh with eye and light outside. Inside of its bounds, and for open meshes, all triangles
     // cast.
-    Key key{light.light->type,
-            light.light->position,
-            light.light->direction,
-            drawn,
-            VolumeChoice(instances.size()),
+    Key key{light.towardInWorld(), drawn, VolumeChoice(instances.size()),
             withCaps.empty() || drawn.end() ? VolumeChoice(instances.size(), true) : withCaps};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
@@ -168,13 +164,10 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
     const FlatInstance& instance = gpuScene.flat().instances[i];
     const glm::dmat4 localFromWorld = glm::inverse(gpuScene.scene().instances[i].worldFromLocal);
     VolumeRequest request;
-    request.light_local =
-        localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
-                                                        : glm::dvec4(m_key->position, 1.0));
-    request.inPlane_local = m_key->type == LightType::Sun ? 0.0 : inPlane(gpuScene, i, glm::dvec3(request.light_local));
+    request.light_local = localFromWorld * m_key->toward_world;
+    request.inPlane_local = m_key->isSun() ? 0.0 : inPlane(gpuScene, i, glm::dvec3(request.light_local));
     // Shaders have rounded planes, and who counts at the eye must count what they draw.
-    request.rounding =
-        m_key->options.source == SilhouetteSource::Cpu || m_key->type == LightType::Sun ? 0.0 : kPlaneRounding;
+    request.rounding = m_key->options.source == SilhouetteSource::Cpu || m_key->isSun() ? 0.0 : kPlaneRounding;
     request.mirrored = instance.mirrored;
     request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
     request.litOnly = m_key->options.casting == CastingSide::Lit;
@@ -387,7 +380,7 @@ std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instanc
 }
 
 std::uint32_t ShadowVolumes::indicesPerSide() const {
-    return m_key->type != LightType::Sun || m_key->options.end() ? 6 : 3;
+    return !m_key->isSun() || m_key->options.end() ? 6 : 3;
 }
 
 std::vector<glm::uvec2> ShadowVolumes::silhouette(const GpuScene& gpuScene, std::size_t i) const {
@@ -412,11 +405,7 @@ int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, co
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const glm::dvec4 p_world(glm::dvec3(p) + gpuScene.origin(), 1.0);
     std::optional<VolumeEnd> end;
-    if (m_key->options.distance_m)
-        end = {double(*m_key->options.distance_m),
-               m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
-                                             : glm::dvec4(m_key->position, 1.0),
-               {}};
+    if (m_key->options.distance_m) end = {double(*m_key->options.distance_m), m_key->toward_world, {}};
     int count = 0;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!chosen[i] || !m_casters[i] || !gpuScene.isOnTheWay(i, p, light.toward())) continue;

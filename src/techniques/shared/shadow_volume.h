@@ -137,12 +137,11 @@ public:
 private:
     /// What the volumes depend on.
     struct Key {
-        LightType type;
-        glm::dvec3 position;
-        glm::vec3 direction;
+        glm::dvec4 toward_world;  ///< the light, as LightFrame::towardInWorld()
         ShadowVolumeOptions options;
         VolumeChoice both, caps;
         bool operator==(const Key&) const = default;
+        bool isSun() const { return toward_world.w == 0.0; }
     };
     VolumeRequest request(const GpuScene& scene, std::size_t instance) const;
     void buildOnCpu(FrameContext& frame);

@@ -27,7 +27,9 @@ public:
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
         }
-        if (frame.countsSavings()) countOwnFill(frame, light);
+        if (frame.countsSavings())
+            frame.counter("fill", fillOf(frame, light, m_volumes, this->p().twoSided,
+                                         [&](const VolumeCounter& own) { count(frame, light, own); }));
     }
 
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
@@ -44,19 +46,6 @@ protected:
     const VolumeChoice& withCaps() const { return m_withCaps; }
 
 private:
-    void countOwnFill(FrameContext& frame, const LightFrame& light) {
-        double fill = 0;
-        {
-            const FrameContext::Uncounted aside(frame);
-            const gl::Texture image = emptyFill(frame);
-            VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
-            counter.addFragmentsTo(image);
-            count(frame, light, counter);
-            fill = sumOf(image);
-        }
-        frame.counter("fill", fill);
-    }
-
     ShadowVolumes m_volumes;
     VolumeChoice m_withCaps;
 };

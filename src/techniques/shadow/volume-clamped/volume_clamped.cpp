@@ -315,17 +315,12 @@ private:
         ShadowVolumeOptions endless = m_volumes.options();
         endless.slabs = false;
         VolumeFill fill = countFill(frame, light, endless);
-        double own = 0;
         {
             const FrameContext::Uncounted aside(frame);
             fill.counted = sumOf(drawFill(frame, light, m_volumes, m_plan->kept));
-            const gl::Texture image = emptyFill(frame);
-            VolumeCounter counter(frame, light, m_volumes, p().twoSided);
-            counter.addFragmentsTo(image);
-            count(frame, counter);
-            own = sumOf(image);
         }
-        frame.counter("fill", own);
+        frame.counter("fill", fillOf(frame, light, m_volumes, p().twoSided,
+                                     [&](const VolumeCounter& own) { count(frame, own); }));
         reportFill(frame, fill);
     }
 

@@ -15,7 +15,7 @@ struct LightOutline {
 };
 
 // Tangent of the half angle of a sphere's or sun's cone, which shines evenly in solid angle; 0: an outline even in area.
-float coneTangent = 0.0;
+float g_coneTangent = 0.0;
 
 const float kSmallest = 1e-6;   // of a side of a rect that has none, in metres; of distances, of that to the light
 
@@ -27,7 +27,7 @@ LightOutline outlineOf(vec3 p_world) {
         o.toCentre = o.towards = -light.direction.xyz;
         o.distance_m = 1.0;
         o.halfSize = vec2(light.cone.z * params.size);
-        coneTangent = o.halfSize.x;
+        g_coneTangent = o.halfSize.x;
     } else {
         o.toCentre = light.position.xyz - p_world;
         if (LIGHT_IS(LIGHT_POINT)) {
@@ -36,7 +36,7 @@ LightOutline outlineOf(vec3 p_world) {
             float radius = light.cone.z * params.size, rest2 = o.distance_m * o.distance_m - radius * radius;
             o.seen = rest2 > 0.0;
             o.halfSize = vec2(radius * o.distance_m * inversesqrt(max(rest2, 1e-12)));
-            coneTangent = o.halfSize.x / o.distance_m;
+            g_coneTangent = o.halfSize.x / o.distance_m;
         } else {
             o.towards = -light.direction.xyz;
             o.distance_m = dot(o.toCentre, o.towards);
