@@ -13,8 +13,7 @@ float luminance(const glm::vec3& c) {
     return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b;
 }
 
-}  // namespace
-
+/// The ray from a point to the light's centre, ending just before it.
 Ray rayTo(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters) {
     Ray ray;
     ray.origin = point.position;
@@ -24,6 +23,8 @@ Ray rayTo(const RayScene& rays, const SurfacePoint& point, const LightSample& s,
     ray.instances = casters;
     return ray;
 }
+
+}  // namespace
 
 bool isSeen(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters) {
     // Parts below the geometric horizon and parts that turn their back count as blocked.

@@ -8,9 +8,6 @@
 
 namespace ombrage {
 
-/// The ray from a point to the light's centre, ending just before it.
-Ray rayTo(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters);
-
 /// Whether a point sees that part of a light.
 bool isSeen(const RayScene& rays, const SurfacePoint& point, const LightSample& s, const std::vector<bool>* casters);
 

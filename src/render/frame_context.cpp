@@ -29,6 +29,11 @@ glm::vec4 LightFrame::toward() const {
     return light->type == LightType::Sun ? glm::vec4(-direction, 0.0f) : glm::vec4(position, 1.0f);
 }
 
+glm::dvec4 LightFrame::towardInWorld() const {
+    if (light->type == LightType::Sun) return glm::dvec4(-glm::dvec3(light->direction), 0.0);
+    return glm::dvec4(light->position, 1.0);
+}
+
 FrameContext::Pass::Pass(FrameContext& frame, const std::string& name)
     : m_frame(frame), m_group(name.c_str()), m_counts(!frame.recorder->uncounted) {
     if (!m_counts) return;

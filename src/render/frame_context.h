@@ -47,6 +47,8 @@ struct LightFrame {
     glm::vec3 direction{0, -1, 0};
     /// Towards the light's centre, homogeneous: (position, 1), or (-direction, 0) for a sun.
     glm::vec4 toward() const;
+    /// The same in world space, as exact as the scene has it.
+    glm::dvec4 towardInWorld() const;
 };
 
 /// How `--show` turns a texture into a picture.

@@ -154,5 +154,42 @@ TEST(Silhouette, VolumesAroundAPointAreTheCastersBetweenItAndTheLight) {
     EXPECT_EQ(around({0.25, -3, 0.25}, {.light_local = sun, .both = true}), 2);
 }
 
+TEST(Silhouette, ATriangleWhosePlaneHoldsTheLightCastsNothing) {
+    const auto caps = [](const glm::dvec4& light_local, double inPlane) {
+        const VolumeTriangles v =
+            volumeOf(cube(), {.light_local = light_local, .inPlane_local = inPlane, .both = true});
+        return (v.lightCaps.size() + v.inwardLightCaps.size()) / 3;
+    };
+    EXPECT_EQ(caps({3, 0.5, 0, 1}, 0), 10u);         // in the plane of the top
+    EXPECT_EQ(caps({3, 0.5 + 1e-9, 0, 1}, 0), 12u);  // a little above
+    EXPECT_EQ(caps({3, 0.5 + 1e-9, 0, 1}, 1e-6), 10u);
+    EXPECT_EQ(caps({3, 0.5 - 1e-9, 0, 1}, 1e-6), 10u);
+    EXPECT_EQ(caps({3, 0.5 + 1e-5, 0, 1}, 1e-6), 12u);
+}
+
+TEST(Silhouette, VolumesThatEndBeforeAPointDoNotHoldIt) {
+    const Mesh mesh = cube();
+    const MeshTopology topology(mesh);
+    const VolumeRequest sun{.light_local = {0, 1, 0, 0}, .both = true};
+    const glm::dvec3 p(0.1, -3, 0.2);  // 2.5 m under the bottom, 3.5 under the top
+    const auto around = [&](double distance_m) {
+        return volumesAround(topology, mesh, sun, p, VolumeEnd{distance_m, sun.light_local, glm::dmat4(1.0)});
+    };
+    EXPECT_EQ(around(2.4), 0);
+    EXPECT_EQ(around(3), 1);
+    EXPECT_EQ(around(4), 2);
+}
+
+TEST(Silhouette, TellsWhetherTheWayToTheLightTouchesAnEdge) {
+    const Mesh mesh = cube();
+    const MeshTopology topology(mesh);
+    const auto touches = [&](const glm::dvec3& p) { return touchesEdge(topology, mesh, {3, 3, 0, 1}, p); };
+    EXPECT_TRUE(touches({-2, -2, 0}));         // through the edge from (0.5, 0.5, -0.5) to (0.5, 0.5, 0.5)
+    EXPECT_FALSE(touches({-2, -2.001, 0.1}));  // beside it
+    EXPECT_FALSE(touches({1, 1, 0}));          // the edge lies behind the point
+    EXPECT_FALSE(touchesEdge(topology, mesh, {0.2, 0.2, 0, 1}, {-0.2, -0.2, 0.01}));  // and behind the light
+    EXPECT_TRUE(touchesEdge(topology, mesh, {1, 1, 0, 0}, {-2, -2, 0}));              // a sun
+}
+
 }  // namespace
 }  // namespace ombrage

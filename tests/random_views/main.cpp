@@ -2,6 +2,7 @@
 // Exact shadow techniques on many random cameras and lights around a few models: a table of how wrong they are, and
 // pictures of the worst views. The exit status is 1 when one view is over its budget.
 #include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -23,14 +24,47 @@ using namespace ombrage::test;
 constexpr double kClosedBudget = 0.0003, kOpenBudget = 0.002;
 // What is measured has at least this share of the picture, and some shadow in it.
 constexpr double kLeastValidShare = 10000.0 / (640 * 360), kLeastDark = 0.001;
-constexpr int kWorst = 5;
 
 struct Outcome {
-    std::string stage, technique, words;
+    std::string stage, technique;
+    Arrangement arrangement;
     std::uint64_t seed = 0;
     ViewOutcome view;
     double budget = 0;
 };
+
+/// The worst so far of one technique, the worst first; only these keep their pictures.
+class Worst {
+public:
+    explicit Worst(int most) : m_most(std::size_t(most)) {}
+
+    void add(Outcome outcome) {
+        const auto at =
+            std::upper_bound(m_outcomes.begin(), m_outcomes.end(), outcome,
+                             [](const Outcome& a, const Outcome& b) { return a.view.wrong > b.view.wrong; });
+        m_outcomes.insert(at, std::move(outcome));
+        if (m_outcomes.size() > m_most) m_outcomes.pop_back();
+    }
+    const std::vector<Outcome>& outcomes() const { return m_outcomes; }
+
+private:
+    std::size_t m_most;
+    std::vector<Outcome> m_outcomes;
+};
+
+/// A technique's id as part of a file's name.
+std::string fileNameOf(std::string technique) {
+    std::replace_if(
+        technique.begin(), technique.end(), [](char c) { return std::isalnum((unsigned char)(c)) == 0; }, '-');
+    return technique;
+}
+
+/// A row of the table of the worst, with a link to the picture where one is written.
+std::string rowOf(const Outcome& o, int place, const std::string& picture) {
+    return fmt::format("| {} | {} | {} | {} | {} | {} | {:.6f} | {} |",
+                       picture.empty() ? std::to_string(place) : fmt::format("[{}]({})", place, picture), o.stage,
+                       o.seed, o.arrangement.camera, o.arrangement.light, o.view.valid, o.view.wrong, o.budget);
+}
 
 std::vector<std::string> defaultModels() {
     std::vector<std::string> models{"menger"};
@@ -43,7 +77,7 @@ std::vector<std::string> defaultModels() {
 }  // namespace
 
 int main(int argc, char** argv) try {
-    int views = 200, width = 640;
+    int views = 200, width = 640, most = 5;
     std::uint64_t firstSeed = 1;
     std::vector<std::string> techniques{"shadow/volume", "shadow/volume-zfail"}, models = defaultModels();
     std::string folder;
@@ -53,33 +87,36 @@ int main(int argc, char** argv) try {
     app.add_option("--seed", firstSeed, "of the first view")->capture_default_str();
     app.add_option("--technique", techniques, "pipelines to try");
     app.add_option("--model", models, "built-in scenes and model files (menger, and four of OMBRAGE_DATA)");
-    app.add_option("-o", folder, "folder for pictures of the worst views");
+    app.add_option("--worst", most, "how many of the worst views of each technique are listed")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    app.add_option("-o", folder, "folder for their pictures");
     CLI11_PARSE(app, argc, argv);
     const int height = width * 9 / 16;
 
     Renderer renderer;
-    std::vector<Outcome> all;
+    std::vector<Worst> worst(techniques.size(), Worst(most));
+    bool failed = false;
     fmt::print("{:<22} {:<34} {:>6} {:>9} {:>9} {:>7} {:>8}\n", "model", "technique", "views", "mean", "worst",
                "budget", "failing");
     for (const std::string& model : models) {
         Stage stage = makeStage(model);
         const double budget = stage.closed ? kClosedBudget : kOpenBudget;
         std::vector<std::vector<double>> wrong(techniques.size());
+        const Reference reference(stage.scene);
+        renderer.setScene(stage.scene);
         std::uint64_t seed = firstSeed;
         for (int measured = 0; measured < views; ++seed) {
-            const std::string words = arrange(stage, seed);
-            bool counts = true;
-            for (std::size_t t = 0; t < techniques.size() && counts; ++t) {
-                Outcome outcome{stage.name, techniques[t], words, seed, {}, budget};
-                outcome.view = measureView(renderer, stage, techniques[t], width, height);
-                counts =
-                    double(outcome.view.valid) >= kLeastValidShare * width * height && outcome.view.dark >= kLeastDark;
-                if (!counts) break;
-                wrong[t].push_back(outcome.view.wrong);
-                if (outcome.view.wrong == 0) outcome.view.errors = {};
-                all.push_back(std::move(outcome));
+            const Arrangement arrangement = arrange(stage, seed);
+            std::vector<ViewOutcome> outcomes = measureView(renderer, reference, stage, techniques, width, height);
+            const ViewOutcome& first = outcomes.front();
+            if (double(first.valid) < kLeastValidShare * width * height || first.dark < kLeastDark) continue;
+            ++measured;
+            for (std::size_t t = 0; t < techniques.size(); ++t) {
+                wrong[t].push_back(outcomes[t].wrong);
+                failed = failed || outcomes[t].wrong > budget;
+                worst[t].add({stage.name, techniques[t], arrangement, seed, std::move(outcomes[t]), budget});
             }
-            measured += counts ? 1 : 0;
         }
         for (std::size_t t = 0; t < techniques.size(); ++t) {
             double sum = 0;
@@ -90,22 +127,23 @@ int main(int argc, char** argv) try {
                        std::count_if(wrong[t].begin(), wrong[t].end(), [&](double w) { return w > budget; }));
         }
         std::fflush(stdout);
-        std::sort(all.begin(), all.end(),
-                  [](const Outcome& a, const Outcome& b) { return a.view.wrong > b.view.wrong; });
-        // Pictures of those only that may be among the worst in the end.
-        for (std::size_t i = kWorst; i < all.size(); ++i) all[i].view.errors = {};
     }
 
-    fmt::print("\nThe worst:\n");
-    for (std::size_t i = 0; i < std::min<std::size_t>(kWorst, all.size()); ++i) {
-        const Outcome& o = all[i];
-        fmt::print("{} seed {} {} ({}): {:.6f} of {} pixels\n", o.stage, o.seed, o.technique, o.words, o.view.wrong,
-                   o.view.valid);
-        if (folder.empty() || o.view.wrong == 0) continue;
-        std::filesystem::create_directories(folder);
-        writeImage(fmt::format("{}/worst-{}.png", folder, i + 1), o.view.errors);
+    for (std::size_t t = 0; t < techniques.size(); ++t) {
+        fmt::print("\nThe worst of {}:\n\n", techniques[t]);
+        fmt::print(
+            "| | model | seed | camera | light | pixels | wrong | budget |\n|--:|---|--:|---|---|--:|--:|--:|\n");
+        int place = 0;
+        for (const Outcome& o : worst[t].outcomes()) {
+            std::string picture;
+            if (!folder.empty() && !o.view.errors.empty()) {
+                picture = fmt::format("{}-worst-{}.png", fileNameOf(techniques[t]), place + 1);
+                writeImage(std::filesystem::path(folder) / picture, o.view.errors);
+            }
+            fmt::print("{}\n", rowOf(o, ++place, picture));
+        }
     }
-    return std::any_of(all.begin(), all.end(), [](const Outcome& o) { return o.view.wrong > o.budget; }) ? 1 : 0;
+    return failed ? 1 : 0;
 } catch (const std::exception& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return 2;

@@ -10,6 +10,7 @@
 #include <ombrage/reference.h>
 #include <glm/gtc/constants.hpp>
 
+#include "random_views/picture.h"
 #include "techniques/shared/silhouette.h"
 
 namespace ombrage::test {
@@ -77,7 +78,7 @@ Stage makeStage(const std::string& nameOrFile) {
     return stage;
 }
 
-std::string arrange(Stage& stage, std::uint64_t seed) {
+Arrangement arrange(Stage& stage, std::uint64_t seed) {
     Numbers numbers(seed);
     Camera camera;
     camera.name = "random";
@@ -95,47 +96,48 @@ std::string arrange(Stage& stage, std::uint64_t seed) {
     light.direction = glm::normalize(glm::vec3(toward));
     light.outer_rad = 0.9f;
     light.inner_rad = 0.7f;
-    light.intensity = 1.0f;
+    // As bright for the model from any distance, for the pictures.
+    light.intensity = light.type == LightType::Sun ? 3.0f : 3.0f * float(glm::dot(toward, toward));
     if (numbers.oneIn(4)) light.range_m = float(glm::length(toward) * numbers.within(0.7, 2));
     stage.scene.cameras = {camera};
     stage.scene.lights = {light};
     stage.scene.animations.clear();
-    return fmt::format("{}{}{}, {} camera", isClose ? "close " : "", lightTypeName(light.type),
-                       std::isfinite(light.range_m) && light.type != LightType::Sun ? " with a range" : "",
-                       camera.orthoHeight_m ? "orthographic" : "perspective");
+    return {camera.orthoHeight_m ? "orthographic" : "perspective",
+            fmt::format("{}{}{}", isClose && light.type != LightType::Sun ? "close " : "", lightTypeName(light.type),
+                        std::isfinite(light.range_m) && light.type != LightType::Sun ? " with a range" : "")};
 }
 
-ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::string& technique, int width, int height) {
-    RenderSettings settings;
-    settings.width = width;
-    settings.height = height;
-    settings.shadow = parsePipeline(Family::Shadow, technique);
-    renderer.setScene(stage.scene);
-    const RenderResult result = renderer.render(settings);
-
-    const Reference reference(stage.scene);
+std::vector<ViewOutcome> measureView(Renderer& renderer, const Reference& reference, const Stage& stage,
+                                     const std::vector<std::string>& techniques, int width, int height) {
     const ReferenceOptions options{.width = width, .height = height};
-    const Receivers receivers = reference.receivers(stage.scene.cameras[0], options);
-    ShadowTruth truth = reference.shadow(receivers, stage.scene.cameras[0], 0, options);
-    maskDisagreement(truth.mask, truth.maskedShare, receivers, result.instance, result.triangle);
-    const std::vector<float> visibility(result.visibility.at(0).plane(0).begin(),
-                                        result.visibility.at(0).plane(0).end());
-    const ShadowMeasurement measured = measureShadow(visibility, truth, receivers);
+    const Camera& camera = stage.scene.cameras[0];
+    const Receivers receivers = reference.receivers(camera, options);
+    const ShadowTruth truth = reference.shadow(receivers, camera, 0, options);
 
-    ViewOutcome outcome;
-    outcome.valid = measured.validCount;
-    outcome.wrong = measured.metrics.at("wrong").value_or(0.0);
-    outcome.errors = result.picture;
-    for (std::size_t i = 0; i < visibility.size(); ++i) {
-        if (truth.mask[i] != Mask::Valid) continue;
-        outcome.dark += truth.visibility[i] < 0.5f ? 1 : 0;
-        const float e = visibility[i] - truth.visibility[i];
-        if (std::abs(e) <= 0.5f) continue;
-        for (int c = 0; c < 3; ++c) outcome.errors.plane(c)[i] = 0.0f;
-        outcome.errors.plane(e > 0 ? 0 : 2)[i] = 1.0f;
+    std::vector<ViewOutcome> outcomes;
+    renderer.moveScene(stage.scene);
+    for (const std::string& technique : techniques) {
+        RenderSettings settings;
+        settings.width = width;
+        settings.height = height;
+        settings.shadow = parsePipeline(Family::Shadow, technique);
+        const RenderResult result = renderer.render(settings);
+        const auto plane = result.visibility.at(0).plane(0);
+        const std::vector<float> visibility(plane.begin(), plane.end());
+
+        ShadowTruth seen = truth;
+        maskDisagreement(seen.mask, seen.maskedShare, receivers, result.instance, result.triangle);
+        const ShadowMeasurement measured = measureShadow(visibility, seen, receivers);
+        ViewOutcome outcome;
+        outcome.valid = measured.validCount;
+        outcome.wrong = measured.metrics.at("wrong").value_or(0.0);
+        for (std::size_t i = 0; i < visibility.size(); ++i)
+            outcome.dark += seen.mask[i] == Mask::Valid && seen.visibility[i] < 0.5f ? 1 : 0;
+        outcome.dark /= double(std::max<std::size_t>(outcome.valid, 1));
+        if (outcome.wrong > 0) outcome.errors = errorPicture(result.picture, visibility, seen);
+        outcomes.push_back(std::move(outcome));
     }
-    outcome.dark /= double(std::max<std::size_t>(outcome.valid, 1));
-    return outcome;
+    return outcomes;
 }
 
 }  // namespace ombrage::test

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <ombrage/image.h>
+#include <ombrage/reference.h>
 #include <ombrage/renderer.h>
 #include <ombrage/scene.h>
 
@@ -23,18 +25,25 @@ struct Stage {
 /// @throws Error as loadScene. A built-in scene has its own floor.
 Stage makeStage(const std::string& nameOrFile);
 
-/// Puts the camera and the light of a seed into the stage's scene, and says in words which: any kind of light without a
+/// A view in words.
+struct Arrangement {
+    std::string camera, light;
+};
+
+/// Puts the camera and the light of a seed into the stage's scene, and says which: any kind of light without a
 /// size, one in ten within the model's ball, one lamp in four with a range; one camera in eight is orthographic.
-std::string arrange(Stage& stage, std::uint64_t seed);
+Arrangement arrange(Stage& stage, std::uint64_t seed);
 
 struct ViewOutcome {
     std::size_t valid = 0;  ///< pixels that are measured
     double dark = 0;        ///< share of them in shadow
     double wrong = 0;       ///< share of them, as the metric `wrong`
-    Image errors;           ///< the picture; wrong pixels red where shadow is missing, blue where there is too much
+    Image errors;           ///< as errorPicture() has it; empty where nothing is wrong
 };
 
-/// Renders what is arranged and holds it against the truth.
-ViewOutcome measureView(Renderer& renderer, const Stage& stage, const std::string& technique, int width, int height);
+/// Renders what is arranged with each technique and holds it against the truth.
+/// @param renderer whose scene is the stage's @param reference of the stage's scene
+std::vector<ViewOutcome> measureView(Renderer& renderer, const Reference& reference, const Stage& stage,
+                                     const std::vector<std::string>& techniques, int width, int height);
 
 }  // namespace ombrage::test

@@ -44,9 +44,20 @@ nlohmann::json technicalSheet(const TechniqueInfo& info) {
 Bench::Bench(const std::string& sceneName)
     : m_scene(loadScene(sceneName)), m_reference(m_scene), m_traits(sceneTraits(m_scene)) {}
 
+namespace {
+std::map<std::string, std::unique_ptr<Bench>>& benches() {
+    static std::map<std::string, std::unique_ptr<Bench>> all;
+    return all;
+}
+}  // namespace
+
+bool Bench::holds(const Scene& scene) {
+    return std::any_of(benches().begin(), benches().end(),
+                       [&](const auto& bench) { return &bench.second->scene() == &scene; });
+}
+
 Bench& Bench::of(const std::string& sceneName) {
-    static std::map<std::string, std::unique_ptr<Bench>> benches;
-    auto& bench = benches[sceneName];
+    auto& bench = benches()[sceneName];
     if (!bench) bench = std::make_unique<Bench>(sceneName);
     return *bench;
 }
@@ -105,8 +116,9 @@ RenderResult renderScene(const Scene& scene, const RenderSettings& settings) {
         options.debugContext = true;
         return options;
     }());
+    // Scenes of benches stay as they are; another one may have changed, or have the address of one that is gone.
     static const Scene* current = nullptr;
-    if (current != &scene) renderer.setScene(scene);
+    if (current != &scene || !Bench::holds(scene)) renderer.setScene(scene);
     current = &scene;
     return renderer.render(settings);
 }

@@ -37,6 +37,8 @@ public:
     std::vector<bool> covered(const ShadowRange& range, const std::string& camera);
 
     static Bench& of(const std::string& sceneName);
+    /// Whether it is that of a bench.
+    static bool holds(const Scene& scene);
 
 private:
     Scene m_scene;

@@ -4,9 +4,14 @@
 #include <cmath>
 
 #include "render/frame_context.h"
+#include "techniques/shared/shadow_volume.h"
 
 namespace ombrage {
 
+namespace {
+
+/// Whether a triangle of the instance may pass before the near plane, where the picture does not show it. Never false
+/// for one that does.
 bool touchesEye(const FrameContext& frame, std::size_t instance) {
     const glm::vec3& eye = frame.view.eye;
     const float reach_m = frame.view.nearReach_m();
@@ -23,6 +28,28 @@ bool touchesEye(const FrameContext& frame, std::size_t instance) {
         if (std::abs(glm::dot(normal, eye - a)) <= reach_m * glm::length(normal)) return true;
     }
     return false;
+}
+
+/// Whether the eye lies on the border of the instance's volume.
+bool isOnBorder(const FrameContext& frame, const LightFrame& light, std::size_t instance) {
+    const GpuScene& gpuScene = *frame.gpuScene;
+    if (!gpuScene.isOnTheWay(instance, frame.view.eye, light.toward())) return false;
+    const int mesh = gpuScene.flat().instances[instance].mesh;
+    const glm::dmat4 localFromWorld = glm::inverse(gpuScene.scene().instances[instance].worldFromLocal);
+    const glm::dvec4 eye(glm::dvec3(frame.view.eye) + gpuScene.origin(), 1.0);
+    return touchesEdge(gpuScene.derived<SceneTopology>().mesh(mesh), gpuScene.scene().meshes[std::size_t(mesh)],
+                       localFromWorld * light.towardInWorld(), localFromWorld * eye);
+}
+
+}  // namespace
+
+bool isAlphaTested(const FrameContext& frame, std::size_t instance) {
+    const int material = frame.gpuScene->flat().instances[instance].material;
+    return frame.gpuScene->scene().materials[std::size_t(material)].alphaMode == AlphaMode::Mask;
+}
+
+bool countsFromEye(const FrameContext& frame, const LightFrame& light, std::size_t instance) {
+    return !isAlphaTested(frame, instance) && !touchesEye(frame, instance) && !isOnBorder(frame, light, instance);
 }
 
 }  // namespace ombrage

@@ -2,6 +2,7 @@
 #include "techniques/shared/shadow_volume.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <numeric>
 
@@ -17,9 +18,13 @@ namespace ombrage {
 
 namespace {
 
-/// w of the far ends under an orthographic camera: 1e5 times the distance to the light, beyond any scene, and a ray
-/// bends by 1e-5 of its length.
-constexpr float kOrthographicInfinity = 1e-5f;
+/// Distance of far ends under an orthographic camera, but for a sun's volumes, in diagonals of the scene: the caps
+/// between them lie before them, the nearer to the lamp the wider it sees a triangle. More of it costs the precision
+/// that sides and caps are clipped with (1e4: up to 0.0015 of a picture wrong; 1e5: 0.03).
+constexpr float kOrthographicInfinity = 1e3f;
+
+/// Of shared/volume_edges.glsl: bound on the error of a side, as a share of its summands.
+constexpr double kPlaneRounding = 3.6e-7;
 
 constexpr int kGroupSize = 64;  // of shared/volume_silhouette.comp
 
@@ -50,6 +55,14 @@ std::vector<gl::DrawElementsIndirect> emptyCommands(std::size_t instances) {
     return commands;
 }
 
+/// How near to a triangle's plane a light counts as in it: a few units in the last place of the coordinates' size, as
+/// the truth's rays end before the light.
+double inPlane(const GpuScene& gpuScene, std::size_t instance, const glm::dvec3& light_local) {
+    const auto& topology = gpuScene.derived<SceneTopology>();
+    const Bounds& bounds = topology.bounds(gpuScene.flat().instances[instance].mesh);
+    return 4.0 * double(FLT_EPSILON) * (glm::length(light_local - bounds.center()) + bounds.diagonal());
+}
+
 void checkRoom(std::uint64_t bytes) {
     GLint64 limit = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
@@ -74,7 +87,16 @@ VolumeVertices::VolumeVertices(const GpuScene& scene) {
 }
 
 SceneTopology::SceneTopology(const GpuScene& scene) {
-    for (const Mesh& mesh : scene.scene().meshes) m_meshes.emplace_back(mesh);
+    for (const Mesh& mesh : scene.scene().meshes) {
+        m_meshes.emplace_back(mesh);
+        Bounds bounds;
+        for (const glm::uvec3& t : m_meshes.back().triangles())
+            for (int k = 0; k < 3; ++k) {
+                bounds.lower = glm::min(bounds.lower, glm::dvec3(mesh.positions[t[k]]));
+                bounds.upper = glm::max(bounds.upper, glm::dvec3(mesh.positions[t[k]]));
+            }
+        m_bounds.push_back(bounds);
+    }
 }
 
 ShadowVolumeOptions::ShadowVolumeOptions(const VolumeParams& params)
@@ -101,16 +123,17 @@ void ShadowVolumes::update(FrameContext& frame, const LightFrame& light, const S
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const auto& instances = frame.gpuScene->flat().instances;
     const bool isSun = light.light->type == LightType::Sun;
+    // Parallel rays need not meet at infinity, which an orthographic camera cannot show: behind the scene is far
+    // enough.
+    ShadowVolumeOptions drawn = options;
+    if (isSun && frame.view.orthographic && !options.end())
+        drawn.distance_m = 1.01f * float(frame.gpuScene->bounds().diagonal());
 
     // Triangles turned away from the light are enough where every ray to the light enters the mesh as often as it
     // leaves it: a closed mesh with eye and light outside. Inside of its bounds, and for open meshes, all triangles
     // cast.
-    Key key{light.light->type,
-            light.light->position,
-            light.light->direction,
-            options,
-            VolumeChoice(instances.size()),
-            withCaps.empty() || options.end() ? VolumeChoice(instances.size(), true) : withCaps};
+    Key key{light.towardInWorld(), drawn, VolumeChoice(instances.size()),
+            withCaps.empty() || drawn.end() ? VolumeChoice(instances.size(), true) : withCaps};
     for (std::size_t i = 0; i < instances.size(); ++i) {
         key.both[i] = !topology.mesh(instances[i].mesh).closed() || frame.view.orthographic ||
                       frame.gpuScene->isWithin(i, frame.view.eye, frame.view.nearReach_m()) ||
@@ -141,9 +164,10 @@ VolumeRequest ShadowVolumes::request(const GpuScene& gpuScene, std::size_t i) co
     const FlatInstance& instance = gpuScene.flat().instances[i];
     const glm::dmat4 localFromWorld = glm::inverse(gpuScene.scene().instances[i].worldFromLocal);
     VolumeRequest request;
-    request.light_local =
-        localFromWorld * (m_key->type == LightType::Sun ? glm::dvec4(-glm::dvec3(m_key->direction), 0.0)
-                                                        : glm::dvec4(m_key->position, 1.0));
+    request.light_local = localFromWorld * m_key->toward_world;
+    request.inPlane_local = m_key->isSun() ? 0.0 : inPlane(gpuScene, i, glm::dvec3(request.light_local));
+    // Shaders have rounded planes, and who counts at the eye must count what they draw.
+    request.rounding = m_key->options.source == SilhouetteSource::Cpu || m_key->isSun() ? 0.0 : kPlaneRounding;
     request.mirrored = instance.mirrored;
     request.both = m_key->both[i] && m_key->options.casting == CastingSide::Automatic;
     request.litOnly = m_key->options.casting == CastingSide::Lit;
@@ -199,6 +223,7 @@ std::vector<GpuCaster> ShadowVolumes::gpuCasters(const GpuScene& gpuScene, const
                       .firstTriangle = mesh.firstTriangle,
                       .triangles = mesh.triangles,
                       .firstVertex = volume.firstVertex,
+                      .inPlane_local = float(volume.inPlane_local),
                       .flags = (volume.both ? kCasterBoth : 0u) | (volume.mirrored ? kCasterMirrored : 0u) |
                                (volume.hasFarEnds() ? kCasterFarEnds : 0u)};
     }
@@ -318,7 +343,7 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
         if (program == nullptr || byGeometryShader) {
             program = &this->program(frame, VolumePart(part), look);
             program->set("u_toward", light.toward());
-            program->set("u_infinity", infinity(frame.view));
+            program->set("u_infinity", infinity(frame));
             program->set("u_distance", look.distance_m.value_or(m_key->options.distance_m.value_or(0.0f)));
         }
         // Runs of chosen instances, a draw each.
@@ -342,8 +367,10 @@ void ShadowVolumes::draw(FrameContext& frame, const LightFrame& light, VolumePar
     }
 }
 
-float ShadowVolumes::infinity(const CameraView& view) {
-    return view.orthographic ? kOrthographicInfinity : 0.0f;
+float ShadowVolumes::infinity(const FrameContext& frame) {
+    if (!frame.view.orthographic) return 0.0f;
+    const Bounds& bounds = frame.gpuScene->bounds();
+    return 1.0f / (kOrthographicInfinity * float(bounds.diagonal()));
 }
 
 std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instance) const {
@@ -353,7 +380,7 @@ std::pair<std::uint32_t, std::uint32_t> ShadowVolumes::sides(std::size_t instanc
 }
 
 std::uint32_t ShadowVolumes::indicesPerSide() const {
-    return m_key->type != LightType::Sun || m_key->options.end() ? 6 : 3;
+    return !m_key->isSun() || m_key->options.end() ? 6 : 3;
 }
 
 std::vector<glm::uvec2> ShadowVolumes::silhouette(const GpuScene& gpuScene, std::size_t i) const {
@@ -377,12 +404,17 @@ int ShadowVolumes::around(const FrameContext& frame, const LightFrame& light, co
     const auto& instances = gpuScene.flat().instances;
     const auto& topology = frame.gpuScene->derived<SceneTopology>();
     const glm::dvec4 p_world(glm::dvec3(p) + gpuScene.origin(), 1.0);
+    std::optional<VolumeEnd> end;
+    if (m_key->options.distance_m) end = {double(*m_key->options.distance_m), m_key->toward_world, {}};
     int count = 0;
     for (std::size_t i = 0; i < instances.size(); ++i) {
         if (!chosen[i] || !m_casters[i] || !gpuScene.isOnTheWay(i, p, light.toward())) continue;
-        const glm::dvec3 p_local = glm::inverse(gpuScene.scene().instances[i].worldFromLocal) * p_world;
-        count += volumesAround(topology.mesh(instances[i].mesh),
-                               gpuScene.scene().meshes[std::size_t(instances[i].mesh)], request(gpuScene, i), p_local);
+        const glm::dmat4& worldFromLocal = gpuScene.scene().instances[i].worldFromLocal;
+        const glm::dvec3 p_local = glm::inverse(worldFromLocal) * p_world;
+        if (end) end->worldFromLocal = worldFromLocal;
+        count +=
+            volumesAround(topology.mesh(instances[i].mesh), gpuScene.scene().meshes[std::size_t(instances[i].mesh)],
+                          request(gpuScene, i), p_local, end);
     }
     return count;
 }

@@ -15,7 +15,6 @@
 namespace ombrage {
 
 class FrameContext;
-struct CameraView;
 struct GpuCaster;
 struct GpuTopology;
 struct LightFrame;
@@ -26,9 +25,12 @@ public:
     explicit SceneTopology(const GpuScene& scene);
 
     const MeshTopology& mesh(int index) const { return m_meshes[std::size_t(index)]; }
+    /// Of the mesh's vertices, in its own space.
+    const Bounds& bounds(int index) const { return m_bounds[std::size_t(index)]; }
 
 private:
     std::vector<MeshTopology> m_meshes;
+    std::vector<Bounds> m_bounds;
 };
 
 /// Both ends of every vertex, the corner itself (w 1) and the same to be sent to the far end (w 0), one after the
@@ -106,7 +108,7 @@ public:
     const VolumeChoice& casters() const { return m_casters; }
 
     /// w of points at infinity (shared/volume_ends.glsl).
-    static float infinity(const CameraView& view);
+    static float infinity(const FrameContext& frame);
 
     /// Where the indices of an instance's sides stand in indices(): the first of them, and how many. Of each side the
     /// first two are the ends of its edge, the cap's interior to the left of the way from the second to the first, as
@@ -135,12 +137,11 @@ public:
 private:
     /// What the volumes depend on.
     struct Key {
-        LightType type;
-        glm::dvec3 position;
-        glm::vec3 direction;
+        glm::dvec4 toward_world;  ///< the light, as LightFrame::towardInWorld()
         ShadowVolumeOptions options;
         VolumeChoice both, caps;
         bool operator==(const Key&) const = default;
+        bool isSun() const { return toward_world.w == 0.0; }
     };
     VolumeRequest request(const GpuScene& scene, std::size_t instance) const;
     void buildOnCpu(FrameContext& frame);

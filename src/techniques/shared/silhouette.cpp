@@ -36,6 +36,35 @@ bool passesLeft(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& dire
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
 }
 
+/// How near the way counts as touching an edge, as a share of the edge's distance: what the rasteriser rounds.
+constexpr double kTouching = 1e-6;
+
+/// Distance between the edge from a to b and the ray from the zero along a unit direction, as long as given.
+double distanceToRay(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& along, double length) {
+    // The edge's point nearest to the line, across the ray; then the ray's point nearest to that.
+    const glm::dvec3 edge = b - a, acrossEdge = edge - glm::dot(edge, along) * along,
+                     acrossA = a - glm::dot(a, along) * along;
+    const double square = glm::dot(acrossEdge, acrossEdge);
+    const double u = square > 0 ? std::clamp(-glm::dot(acrossA, acrossEdge) / square, 0.0, 1.0) : 0.0;
+    double nearest = INFINITY;
+    for (const double at : {u, 0.0, 1.0}) {
+        const glm::dvec3 q = a + at * edge;
+        nearest = std::min(nearest, glm::length(q - std::clamp(glm::dot(q, along), 0.0, length) * along));
+    }
+    return nearest;
+}
+
+/// Whether the far cap of a triangle's volume lies between a point, which has the triangle before the light, and the
+/// triangle.
+bool endsBefore(const VolumeEnd& end, const std::array<glm::dvec3, 3>& triangle, const glm::dvec3& p_world) {
+    std::array<glm::dvec3, 3> cap;
+    for (std::size_t k = 0; k < 3; ++k)
+        cap[k] = triangle[k] +
+                 end.distance_m * glm::normalize(triangle[k] * end.light_world.w - glm::dvec3(end.light_world));
+    const glm::dvec3 normal = glm::cross(cap[1] - cap[0], cap[2] - cap[0]);
+    return (glm::dot(normal, p_world - cap[0]) > 0.0) != (glm::dot(normal, triangle[0] - cap[0]) > 0.0);
+}
+
 /// One side of a triangle, to be sorted by its edge.
 struct EdgeUse {
     std::uint64_t edge;  // smaller vertex in the upper half, larger in the lower
@@ -126,11 +155,13 @@ public:
     }
 
 private:
-    /// In single precision where that is sure of the sign, in double where it is not.
+    /// In single precision where that is sure of the side, in double where it is not.
     void classify() {
         const std::size_t count = m_topology.triangleCount();
         m_weight.resize(count);
         const auto light = glm::vec4(m_request.light_local);
+        const auto inPlane = float(m_request.inPlane_local * 1.001),
+                   rounding = kRounding + float(m_request.rounding * 1.001);
         const std::int8_t facing = m_request.weightFacing(), away = m_request.weightAway();
         const float *x = m_topology.m_roundedPlanes[0].data(), *y = m_topology.m_roundedPlanes[1].data(),
                     *z = m_topology.m_roundedPlanes[2].data(), *w = m_topology.m_roundedPlanes[3].data();
@@ -138,12 +169,13 @@ private:
         tbb::parallel_for(blocks, [&](const auto& range) {
             for (std::size_t block = range.begin(); block != range.end(); ++block) {
                 const std::size_t first = block * kBlock;
-                float side[kBlock], doubt[kBlock];
+                float side[kBlock], doubt[kBlock];  // |x| + |y| + |z| is at least the normal's length
                 for (std::size_t i = 0; i < kBlock; ++i) {
                     const float px = x[first + i] * light.x, py = y[first + i] * light.y, pz = z[first + i] * light.z,
                                 pw = w[first + i] * light.w;
                     side[i] = px + py + pz + pw;
-                    doubt[i] = kRounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw));
+                    doubt[i] = rounding * (std::abs(px) + std::abs(py) + std::abs(pz) + std::abs(pw)) +
+                               inPlane * (std::abs(x[first + i]) + std::abs(y[first + i]) + std::abs(z[first + i]));
                 }
                 for (std::size_t i = 0; i < std::min(kBlock, count - first); ++i)
                     m_weight[first + i] = side[i] > doubt[i]    ? facing
@@ -225,8 +257,29 @@ void appendVolume(const MeshTopology& topology, const VolumeRequest& request, Vo
     VolumeBuilder(topology, request).build(out);
 }
 
+bool touchesEdge(const MeshTopology& topology, const Mesh& mesh, const glm::dvec4& light_local,
+                 const glm::dvec3& p_local) {
+    const glm::dvec3 way = glm::dvec3(light_local) - p_local * light_local.w;
+    const double length = glm::length(way), longest = light_local.w != 0.0 ? length : INFINITY;
+    std::atomic<bool> touched = false;
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, topology.triangleCount(), kGrain), [&](const auto& range) {
+        for (std::size_t t = range.begin(); t != range.end() && !touched; ++t) {
+            const glm::uvec3 v = topology.triangles()[t];
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 a = glm::dvec3(mesh.positions[v[k]]) - p_local,
+                                 b = glm::dvec3(mesh.positions[v[(k + 1) % 3]]) - p_local;
+                // In one plane with it, then near to it.
+                const double square = 2 * (glm::dot(a, a) + glm::dot(b, b));
+                if (std::abs(glm::dot(glm::cross(a, b), way)) > kTouching * square * length) continue;
+                if (distanceToRay(a, b, way / length, longest) <= kTouching * std::sqrt(square)) touched = true;
+            }
+        }
+    });
+    return touched;
+}
+
 int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRequest& request,
-                  const glm::dvec3& p_local) {
+                  const glm::dvec3& p_local, const std::optional<VolumeEnd>& end) {
     const glm::dvec3 direction = glm::dvec3(request.light_local) - p_local * request.light_local.w;
     std::atomic<int> around = 0;
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, topology.triangleCount(), kGrain), [&](const auto& range) {
@@ -244,7 +297,15 @@ int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRe
                              c = glm::dvec3(mesh.positions[v.z]) - p_local;
             const bool ab = passesLeft(a, b, direction), bc = passesLeft(b, c, direction),
                        ca = passesLeft(c, a, direction);
-            crossed += ab == bc && bc == ca ? 1 : 0;
+            if (ab != bc || bc != ca) continue;
+            if (end) {
+                const auto world = [&](const glm::dvec3& p) {
+                    return glm::dvec3(end->worldFromLocal * glm::dvec4(p, 1.0));
+                };
+                if (endsBefore(*end, {world(a + p_local), world(b + p_local), world(c + p_local)}, world(p_local)))
+                    continue;
+            }
+            ++crossed;
         }
         around += crossed;
     });

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -61,6 +63,9 @@ enum class VolumeFaces { All, Facing, Silhouette };
 struct VolumeRequest {
     /// Towards the light in the mesh's space: (position, 1), or (direction to the sun, 0).
     glm::dvec4 light_local{0, 1, 0, 0};
+    /// A triangle whose plane passes nearer to the light than this casts nothing: no ray to the light crosses it.
+    double inPlane_local = 0;
+    double rounding = 0;  ///< more of that, as a share of the sizes of what dot(plane, light) sums up
     /// The mesh's space is the mirror image of the world's.
     bool mirrored = false;
     /// Both: every triangle, turned towards the light, casts. Else only those turned away from the light do, which is
@@ -79,7 +84,10 @@ struct VolumeRequest {
     bool hasFarEnds() const { return finite || light_local.w != 0.0; }
     /// Per triangle: 1 casts as it is wound (faces the light), -1 casts turned around (faces away), 0 does not cast.
     std::int8_t weight(const glm::dvec4& plane) const {
-        return glm::dot(plane, light_local) > 0.0 ? weightFacing() : weightAway();
+        const double side = glm::dot(plane, light_local);
+        const double doubt = rounding * glm::dot(glm::abs(plane), glm::abs(light_local));
+        if (std::abs(side) <= inPlane_local * glm::length(glm::dvec3(plane)) + doubt) return 0;
+        return side > 0.0 ? weightFacing() : weightAway();
     }
     std::int8_t weightFacing() const { return both || litOnly || faces == VolumeFaces::All ? 1 : 0; }
     std::int8_t weightAway() const { return litOnly ? 0 : -1; }
@@ -99,8 +107,21 @@ struct VolumeTriangles {
 /// Appends the volume of one instance to `out`.
 void appendVolume(const MeshTopology& topology, const VolumeRequest& request, VolumeTriangles& out);
 
-/// How many volumes of casting triangles hold a point: casting triangles on the way from it to the light.
+/// Whether the way from a point to the light touches an edge of the mesh, or nearly: then the point lies on the border
+/// of a volume, and whether rays from it start in there depends on where they go.
+bool touchesEdge(const MeshTopology& topology, const Mesh& mesh, const glm::dvec4& light_local,
+                 const glm::dvec3& p_local);
+
+/// Where volumes end: each vertex's far end lies so far from it, along the light's ray through it.
+struct VolumeEnd {
+    double distance_m = 0;
+    glm::dvec4 light_world{0, 1, 0, 0};  ///< towards it, as VolumeRequest::light_local
+    glm::dmat4 worldFromLocal{1.0};
+};
+
+/// How many volumes of casting triangles hold a point: casting triangles on the way from it to the light, without those
+/// whose volume ends before.
 int volumesAround(const MeshTopology& topology, const Mesh& mesh, const VolumeRequest& request,
-                  const glm::dvec3& p_local);
+                  const glm::dvec3& p_local, const std::optional<VolumeEnd>& end = {});
 
 }  // namespace ombrage

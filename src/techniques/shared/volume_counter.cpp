@@ -151,6 +151,10 @@ void VolumeCounter::nearPlane(const VolumeChoice& chosen) const {
     m_target.bind();
     for (const VolumePart part : {VolumePart::LightCaps, VolumePart::InwardLightCaps})
         draw(state, part, part, chosen, {.ontoNearPlane = true});
+    // Volumes that end before the near plane do not hold it.
+    if (!m_volumes.options().end()) return;
+    state.stencilFront.depthPass = state.stencilBack.depthPass = GL_DECR_WRAP;
+    draw(state, VolumePart::DarkCaps, VolumePart::DarkCaps, chosen, {.ontoNearPlane = true});
 }
 
 void VolumeCounter::darken(const gl::Texture& visibility) const {

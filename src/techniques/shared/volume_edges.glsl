@@ -11,8 +11,8 @@ struct Caster {
     uint firstPair, pairs;
     uint firstTriangle, triangles;
     uint firstVertex;
+    float inPlane_local;    // how near to a triangle's plane the light counts as in it
     uint flags;             // CASTER_...
-    uint firstSide, firstCap;
 };
 
 layout(std430, binding = 3) readonly buffer Casters { Caster b_casters[]; };
@@ -23,6 +23,9 @@ layout(std430, binding = 5) readonly buffer Planes { vec4 b_planes[]; };
 int weightOf(uint caster, uint triangle) {
     vec4 plane = b_planes[b_casters[caster].firstTriangle + triangle], light = b_casters[caster].light_local;
     precise float side = plane.x * light.x + plane.y * light.y + plane.z * light.z + plane.w * light.w;
+    // Products of rounded planes: their own error on top.
+    precise float doubt = b_casters[caster].inPlane_local * length(plane.xyz) + 3.6e-7 * dot(abs(plane), abs(light)) * light.w;
+    if (abs(side) <= doubt) return 0;
     if (side > 0.0) return (b_casters[caster].flags & CASTER_BOTH) != 0u ? 1 : 0;
     return -1;
 }

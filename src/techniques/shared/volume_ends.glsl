@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the corners of shadow volumes are. FINITE: volumes end after u_distance. SLABS: they lie between two planes each. ONTO_NEAR_PLANE: light caps as the light
+// Where the corners of shadow volumes are. FINITE: volumes end after u_distance. SLABS: they lie between two planes each. ONTO_NEAR_PLANE: caps as the light
 // casts them onto the near plane.
 #include "ombrage/clip.glsl"
 #include "ombrage/frame.glsl"
@@ -35,7 +35,9 @@ vec4 farEnd(vec3 p_world, uint caster) {
 #ifdef FINITE
     return vec4(p_world + normalize(away) * u_distance, 1.0);
 #else
-    return vec4(away, u_infinity);
+    // Where infinity is a point, a lamp's far ends lie on their rays all the same; those of a sun are one point.
+    float w = u_toward.w != 0.0 ? u_infinity * length(away) : u_infinity;
+    return vec4(away + p_world * (w * u_toward.w), w);
 #endif
 }
 

@@ -60,6 +60,16 @@ VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowV
     return fill;
 }
 
+double fillOf(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, bool twoSided,
+              const std::function<void(const VolumeCounter&)>& count) {
+    const FrameContext::Uncounted aside(frame);
+    const gl::Texture image = emptyFill(frame);
+    VolumeCounter counter(frame, light, volumes, twoSided);
+    counter.addFragmentsTo(image);
+    count(counter);
+    return sumOf(image);
+}
+
 void reportFill(FrameContext& frame, const VolumeFill& fill) {
     frame.counter("fill of z-fail", fill.all);
     frame.counter("fill saved", fill.all - fill.counted);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
+
 #include "techniques/shared/shadow_volume.h"
 
 namespace ombrage {
+
+class VolumeCounter;
 
 /// Fragments of volumes, which is what the stencil has to do.
 struct VolumeFill {
@@ -26,6 +30,10 @@ gl::Texture drawFill(FrameContext& frame, const LightFrame& light, const ShadowV
 /// the picture's size.
 VolumeFill countFill(FrameContext& frame, const LightFrame& light, const ShadowVolumeOptions& options,
                      const gl::Texture* mask = nullptr);
+
+/// Fragments that `count` makes its counter draw.
+double fillOf(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, bool twoSided,
+              const std::function<void(const VolumeCounter&)>& count);
 
 /// Puts "fill of z-fail" and, of it, "fill saved" into the record.
 void reportFill(FrameContext& frame, const VolumeFill& fill);

@@ -23,7 +23,9 @@ void emitCorner(vec4 clip, float extrusion) {
     v_extrusion = extrusion;
 #endif
     gl_Position = clip;
-#if defined(ONTO_TILES) && !defined(TILE_BOUNDS)
+#ifdef ONTO_NEAR_PLANE
+    gl_Position = ontoNearPlane(clip);
+#elif defined(ONTO_TILES) && !defined(TILE_BOUNDS)
     gl_Position = ontoTiles(clip);
 #endif
     EmitVertex();

@@ -27,12 +27,12 @@ struct GpuTopology {
 };
 
 /// What the shaders know of each instance's volume; the layout of Caster in shared/volume_edges.glsl.
-struct GpuCaster {
+struct alignas(16) GpuCaster {
     glm::vec4 light_local{0.0f};
     std::uint32_t firstPair = 0, pairs = 0, firstTriangle = 0, triangles = 0;
     std::uint32_t firstVertex = 0;
-    std::uint32_t flags = 0;                    ///< kCaster...
-    std::uint32_t firstSide = 0, firstCap = 0;  ///< of its room in the index buffer: sides; light caps
+    float inPlane_local = 0;  ///< as VolumeRequest has it
+    std::uint32_t flags = 0;  ///< kCaster...
 };
 inline constexpr std::uint32_t kCasterBoth = 1, kCasterMirrored = 2, kCasterFarEnds = 4;
 

@@ -21,13 +21,15 @@ VolumeChoice countedByZFail(const FrameContext& frame, const LightFrame& light, 
     VolumeChoice chosen(frame.gpuScene->flat().instances.size());
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const auto& [lower, upper] = frame.gpuScene->instanceBounds(i);
-        chosen[i] = clamps(frame, mode) ? touchesEye(frame, i) : nearClip.touches(lower, upper);
+        chosen[i] = clamps(frame, mode) ? !countsFromEye(frame, light, i)
+                                        : isAlphaTested(frame, i) || nearClip.touches(lower, upper);
     }
     return chosen;
 }
 
-VolumeSplit::VolumeSplit(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, CountingMode mode)
-    : clampDepth(clamps(frame, mode)), zPass(volumes.casters()), zFail(countedByZFail(frame, light, mode)) {
+VolumeSplit::VolumeSplit(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, CountingMode mode,
+                         const VolumeChoice& byZFail)
+    : clampDepth(clamps(frame, mode)), zPass(volumes.casters()), zFail(byZFail) {
     for (std::size_t i = 0; i < zPass.size(); ++i) {
         zFail[i] = zFail[i] && zPass[i];
         zPass[i] = zPass[i] && !zFail[i];

@@ -26,8 +26,9 @@ struct VolumeSplit {
     VolumeChoice zPass, zFail;
     int atTheEye = 0;  ///< volumes that hold the eye, of those by z-pass
 
-    /// Reports itself into the record.
-    VolumeSplit(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, CountingMode mode);
+    /// Reports itself into the record. @param byZFail  what countedByZFail() said of this mode
+    VolumeSplit(FrameContext& frame, const LightFrame& light, const ShadowVolumes& volumes, CountingMode mode,
+                const VolumeChoice& byZFail);
 
     /// Counts them, after begin(atTheEye).
     void count(const VolumeCounter& counter) const;

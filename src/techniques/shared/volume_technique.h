@@ -17,7 +17,8 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(this->p()), needsCaps(frame, light));
+        m_withCaps = needsCaps(frame, light);
+        m_volumes.update(frame, light, ShadowVolumeOptions(this->p()), m_withCaps);
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
         count(frame, light, counter);
@@ -26,7 +27,9 @@ public:
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
         }
-        if (frame.countsSavings()) countOwnFill(frame, light);
+        if (frame.countsSavings())
+            frame.counter("fill", fillOf(frame, light, m_volumes, this->p().twoSided,
+                                         [&](const VolumeCounter& own) { count(frame, light, own); }));
     }
 
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
@@ -39,22 +42,12 @@ protected:
     virtual void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) = 0;
 
     const ShadowVolumes& volumes() const { return m_volumes; }
+    /// What needsCaps() said of this frame.
+    const VolumeChoice& withCaps() const { return m_withCaps; }
 
 private:
-    void countOwnFill(FrameContext& frame, const LightFrame& light) {
-        double fill = 0;
-        {
-            const FrameContext::Uncounted aside(frame);
-            const gl::Texture image = emptyFill(frame);
-            VolumeCounter counter(frame, light, m_volumes, this->p().twoSided);
-            counter.addFragmentsTo(image);
-            count(frame, light, counter);
-            fill = sumOf(image);
-        }
-        frame.counter("fill", fill);
-    }
-
     ShadowVolumes m_volumes;
+    VolumeChoice m_withCaps;
 };
 
 }  // namespace ombrage

@@ -72,12 +72,19 @@ float blockerHeight(LightDisk disk, vec3 p_world, float lightHeight, float highe
 #endif
 
 #ifdef CONTACT
-// The part of the light, seen as a disk, that has sunk under the plane, which blocks it.
-float sunkShare(vec3 p_world) {
-    LightDisk disk = lightDisk(p_world);
+// The part of the light, seen as a disk, that has sunk under the plane, which blocks it: the sector of a chord at the distance t,
+// less its triangle from the centre. Of a cone both are areas on the unit sphere (van Oosterom and Strackee 1983, equation 8).
+float sunkShare(LightDisk disk) {
     float rise = length(vec2(dot(u_plane.xyz, disk.u), dot(u_plane.xyz, disk.v)));
     float t = dot(u_plane, u_toward) / max(rise, 1e-20);
-    return t < 1.0 ? (acos(t) - t * sqrt(1.0 - t * t)) / 3.14159265 : 0.0;
+    if (t >= 1.0) return 0.0;
+    float chord = sqrt(1.0 - t * t), triangle = t * chord;
+    if (disk.tangent >= 1e-3) {
+        float t2 = disk.tangent * disk.tangent, secant = sqrt(1.0 + t2);
+        float excess = 2.0 * atan(2.0 * triangle * t2, 1.0 + t2 + 2.0 * secant + 1.0 + t2 * (t * t - chord * chord));
+        triangle = 0.5 * excess / oneMinusCos(disk.tangent);
+    }
+    return (acos(t) - triangle) / 3.14159265;
 }
 #endif
 
@@ -86,6 +93,7 @@ Sum covering(vec3 p_world, float highest_m) {
 #ifdef CONTACT
     float lightHeight = dot(u_plane, u_toward);
     LightDisk disk = lightDisk(p_world);
+    vec2 rise = vec2(dot(u_plane.xyz, disk.u), dot(u_plane.xyz, disk.v));
     float height_m = highest_m < 0.0 ? -1.0 : blockerHeight(disk, p_world, lightHeight, highest_m);
     if (height_m < 0.0) return sum;
     DiskImage image = blockerImage(disk, p_world, lightHeight, height_m);
@@ -94,7 +102,14 @@ Sum covering(vec3 p_world, float highest_m) {
     DiskImage image = constantImage(p_world);
 #endif
     float level = levelOf(areaInMask(image) / float(SAMPLES));
-    for (int i = 0; i < SAMPLES; ++i) addTo(sum, maskPlace(image, u_kernel[i].xy), level);
+    for (int i = 0; i < SAMPLES; ++i) {
+        vec2 point = u_kernel[i].xy;
+#ifdef CONTACT
+        point = evenly(disk, point);
+        if (lightHeight + dot(rise, point) <= 0.0) continue;   // sunk
+#endif
+        addTo(sum, maskPlace(image, point), level);
+    }
     return sum;
 }
 
@@ -106,13 +121,9 @@ void main() {
     Sum sum = Sum(1.0, 1.0, vec3(0.0));
     float sunk = 0.0;
 #ifdef CONTACT
-    sunk = sunkShare(p_world);
+    sunk = sunkShare(lightDisk(p_world));
 #endif
-    if (sunk > 0.0) {
-        // Half-shadows have no end there: the hard one, of what is left of the light.
-        sum = Sum(0.0, 0.0, vec3(0.0));
-        addTo(sum, uv, 0.0);
-    } else if (STYLE == STYLE_TEXTURED || reach.x < 0.0 || reach.y == 0.0) {
+    if (STYLE == STYLE_TEXTURED || reach.x < 0.0 || reach.y == 0.0) {
         sum = covering(p_world, reach.x);
     }
     float taken = mix(sum.count > 0.0 ? sum.covered / sum.count : 0.0, 1.0, sunk);

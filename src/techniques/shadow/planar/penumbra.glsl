@@ -23,29 +23,47 @@ vec2 maskPlace(DiskImage image, vec2 point) {
     return clip.z > 0.0 ? clip.xy / clip.z * 0.5 + 0.5 : vec2(-1.0);
 }
 
-// The light as a disk that faces the point: half axes, as differences of homogeneous places towards it.
+// The light as a disk that faces the point: half axes, as differences of homogeneous places towards it. Of spheres and suns it
+// is the disk that their cone cuts out, `tangent` that of the cone's half angle: they shine evenly in solid angle.
 struct LightDisk {
     vec3 u, v;
+    float tangent;   // 0: evenly in area
 };
 
 LightDisk lightDisk(vec3 p_world) {
     LightDisk disk;
     float radius = light.cone.z;
+    disk.tangent = 0.0;
     if (LIGHT_IS(LIGHT_SPOT)) {
         disk.u = light.tangent.xyz;
         disk.v = light.bitangent.xyz;
     } else if (LIGHT_IS(LIGHT_SUN)) {
         basisOf(u_toward.xyz, disk.u, disk.v);
+        disk.tangent = radius;
     } else {
         // The cone about a sphere meets the plane through its centre in a wider disk; within the sphere all is one point.
         vec3 d = light.position.xyz - p_world;
         float distance2 = dot(d, d), rest = distance2 - radius * radius;
-        radius *= rest > 0.0 ? sqrt(distance2 / rest) : 0.0;
+        disk.tangent = rest > 0.0 ? radius * inversesqrt(rest) : 0.0;
+        radius = disk.tangent * sqrt(distance2);
         basisOf(normalize(d), disk.u, disk.v);
     }
     disk.u *= radius;
     disk.v *= radius;
     return disk;
+}
+
+// 1 - cos of the half angle of the cone.
+float oneMinusCos(float tangent) {
+    float t2 = tangent * tangent, secant = sqrt(1.0 + t2);
+    return t2 / (secant * (secant + 1.0));
+}
+
+// A point of the unit disk, even in area, moved to where the light shines as evenly.
+vec2 evenly(LightDisk disk, vec2 point) {
+    if (disk.tangent < 1e-3) return point;
+    float height = dot(point, point) * oneMinusCos(disk.tangent);   // 1 - cos of its angle to the axis
+    return point * (sqrt(height * (2.0 - height)) / ((1.0 - height) * max(length(point), 1e-6) * disk.tangent));
 }
 
 // How wide the light's image is past a blocker at a height: k(h) = h / (H - h w); constant disks do not grow.

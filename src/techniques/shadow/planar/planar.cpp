@@ -4,9 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shadow/planar/blur.h"
+#include "techniques/shadow/planar/edge_on.h"
 #include "techniques/shadow/planar/planar_params.h"
 #include "techniques/shadow/planar/receiver_planes.h"
 
@@ -18,7 +21,7 @@ using namespace planar;
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-constexpr unsigned kPlaneStorage = 3;
+constexpr unsigned kPlaneStorage = 3, kEdgeOnStorage = 4;
 /// The mask's border outside of the picture, where blurs reach for what is not seen.
 constexpr float kBorderShare = 0.125f;
 
@@ -33,7 +36,10 @@ struct CasterDraw {
 
 class Planar final : public ShadowTechniqueOf<Params> {
 public:
-    void prepare(FrameContext&) override { m_given.reset(); }
+    void prepare(FrameContext&) override {
+        m_given.reset();
+        m_edgeOn.clear();
+    }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
         const ReceiverPlanes& receivers = findReceivers(frame);
@@ -59,7 +65,7 @@ public:
 
     TargetPool::Target takeColored() override { return std::move(m_colored); }
 
-    std::uint64_t gpuBytes() const override { return m_bytes; }
+    std::uint64_t gpuBytes() const override { return m_bytes + m_edgeOn.gpuBytes(); }
 
 private:
     const ReceiverPlanes& findReceivers(FrameContext& frame) {
@@ -69,6 +75,11 @@ private:
             return found;
         }
         if (!m_given) m_given.emplace(givenPlane(frame.gpuScene->flat(), p().normal, p().offset_m));
+        if (m_given->empty)
+            frame.warn(
+                fmt::format("no surface lies in the plane that shadow/planar is given, normal=({};{};{}),offset={}, so "
+                            "there is no shadow: set both to those of a flat surface, or take receivers=found",
+                            p().normal.x, p().normal.y, p().normal.z, p().offset_m));
         return *m_given;
     }
 
@@ -85,6 +96,7 @@ private:
         frame.bindGBuffer();
         receivers.planeOf.bindStorage(kPlaneStorage);
         const gl::Program& program = frame.fullscreenProgram(*this, "shadow/planar/receivers.frag");
+        program.set("u_highest", unsigned(highestId));
         gl::DrawState state;
         // The triangle lies at depth 0, the sky's; surfaces have more.
         state.depthTest = true;
@@ -105,6 +117,7 @@ private:
     void drawCasters(FrameContext& frame, const LightFrame& light, const ActivePlane& plane, float tolerance_m,
                      gl::DrawState state, const CasterDraw& how) {
         state.clipDistances = 2;
+        const gl::Buffer* edgeOn = m_edgeOn.find(frame, light, tolerance_m);
         const auto draw = [&](DrawFilter::Alpha alpha) {
             const bool isMasked = alpha == DrawFilter::Alpha::MaskedOnly;
             for (const DrawBatch& batch :
@@ -120,6 +133,7 @@ private:
                 define("VERTEX_COLORS", hasColors);
                 define("UV", isMasked || isMapped);
                 define("SURFACE", isMasked || how.needsColor);
+                define("EDGE_ON", edgeOn != nullptr);
                 define("NO_LIGHT_CLIP", !p().clipLight && light.light->type != LightType::Sun);
                 define("NO_PLANE_CLIP", !p().clipPlane);
                 const gl::Program& program = frame.program(*this,
@@ -137,11 +151,12 @@ private:
                                    frame.gpuScene->hidesBackFaces(batch, light.toward(), tolerance_m);
                 state.cull = culls ? GL_BACK : GL_NONE;
                 gl::apply(state);
-                const DrawCounts counts = frame.gpuScene->draw(batch, !isMasked && !isMapped && !hasColors);
+                const DrawCounts counts = frame.gpuScene->draw(batch, !isMasked && !isMapped && !hasColors && !edgeOn);
                 frame.countDraw(counts.draws, counts.triangles);
             }
         };
         frame.gpuScene->bindStorage();
+        if (edgeOn) edgeOn->bindStorage(kEdgeOnStorage);
         draw(DrawFilter::Alpha::OpaqueOnly);
         if (frame.gpuScene->hasAlphaMask()) draw(DrawFilter::Alpha::MaskedOnly);
     }
@@ -316,6 +331,7 @@ private:
     }
 
     std::optional<ReceiverPlanes> m_given;
+    EdgeOnCasters m_edgeOn;
     TargetPool::Target m_colored;  ///< from render() to takeColored()
     std::uint64_t m_bytes = 0;
 };

@@ -27,6 +27,10 @@ in vec4 v_shadow;
 uniform vec4 u_plane;
 #endif
 
+#ifdef EDGE_ON
+flat in uint v_isEdgeOn;
+#endif
+
 #ifdef MASK
 layout(location = 0) out vec2 o_mask;   // 1, and more the lower the caster: blending keeps the largest
 #else
@@ -38,6 +42,9 @@ layout(location = 1) out vec4 o_colored;
 uniform float u_grey;   // per metre with HEIGHT
 
 void main() {
+#ifdef EDGE_ON
+    if (v_isEdgeOn != 0u) discard;
+#endif
 #ifdef ALPHA_MASK
     if (isHole(v_surface.y, v_uv)) discard;
 #endif

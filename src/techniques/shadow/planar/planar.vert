@@ -3,6 +3,7 @@
 // shadow of p is (P.L) p - (P.p) L: it lies in the plane, for P.((P.L) p - (P.p) L) = 0, and on the line from L through p. As a
 // matrix that is (P.L) I - L P^T; with P = (0, 0, 1, 0) it gives x' = (L_z x - z L_x) / (L_z - L_w z), the case of the plane z = 0.
 // NO_LIGHT_CLIP, NO_PLANE_CLIP: without one of the two cuts. UV, VERTEX_COLORS, SURFACE, HEIGHT, ON_PLANE: what the fragments ask for.
+// EDGE_ON: some casters are edge-on to the lamp, and are left out.
 #include "ombrage/vertex.glsl"
 
 uniform vec4 u_plane;          // P, turned so that P.L > 0
@@ -29,6 +30,12 @@ out float v_height_m;
 #ifdef ON_PLANE
 out vec4 v_shadow;
 #endif
+#ifdef EDGE_ON
+// Of the triangle that this vertex ends, alone of all vertices (render/faceted_mesh.h).
+layout(location = 13) in uint a_triangle;
+layout(std430, binding = 4) readonly buffer EdgeOn { uint b_edgeOn[]; };   // a bit per global triangle
+flat out uint v_isEdgeOn;
+#endif
 
 void main() {
     vec3 p_world = positionWorld(a_position);
@@ -52,6 +59,10 @@ void main() {
     gl_ClipDistance[1] = abs(height_m) - u_tolerance_m;
 #else
     gl_ClipDistance[1] = height_m - u_tolerance_m;
+#endif
+#ifdef EDGE_ON
+    uint triangle = a_surface.z + a_triangle;
+    v_isEdgeOn = b_edgeOn[triangle >> 5] >> (triangle & 31u) & 1u;
 #endif
 #ifdef UV
     v_uv = a_uv;

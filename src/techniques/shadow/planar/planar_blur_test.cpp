@@ -77,9 +77,9 @@ TEST(ShadowPlanar, PenumbraeGrowWithTheHeightOfTheCaster) {
 
 /// The scene of a pole, a thicker one and rungs, whose sun has a size; they receive nothing, so that the floor alone is
 /// measured.
-Metrics measuredRamp(const std::string& technique, const std::string& camera) {
+Metrics measuredRamp(const std::string& technique, const std::string& camera, float angle_rad = 0.06f) {
     Scene scene = loadScene("penumbra-ramp");
-    scene.lights[0].angle_rad = 0.06f;
+    scene.lights[0].angle_rad = angle_rad;
     for (Model& model : scene.models) model.receives = model.name == "floor";
     RenderSettings settings;
     settings.width = 320;
@@ -111,6 +111,43 @@ TEST(ShadowPlanar, BlurComesNearerToTheTruthAndNearestByContact) {
         // Measured 0.11 to 0.17.
         EXPECT_LT(contact, 0.25) << camera;
     }
+}
+
+// Directions even in the cone about the sun, those over the wall counted.
+TEST(ShadowPlanar, OfASunThatHasPartlySunkTheShareAbovePasses) {
+    for (const float elevation_deg : {20.0f, 50.0f})
+        for (const float half_deg : {30.0f, 60.0f, 85.0f}) {
+            Scene scene = wallAndLamp();
+            const float elevation_rad = glm::radians(elevation_deg), half_rad = glm::radians(half_deg);
+            scene.lights[0].type = LightType::Sun;
+            scene.lights[0].direction = {std::cos(elevation_rad), 0, -std::sin(elevation_rad)};
+            scene.lights[0].angle_rad = 2 * half_rad;
+            // A caster, for a plane without any has no pass; too small to be seen.
+            addQuad(scene, {{14, 14, 1}, {14.001f, 14, 1}, {14.001f, 14.001f, 1}, {14, 14.001f, 1}}, 0.2f);
+            int above = 0, all = 0;
+            for (int i = 0; i < 400; ++i)
+                for (int j = 0; j < 400; ++j, ++all) {
+                    const float height = 1 - (float(i) + 0.5f) / 400 * (1 - std::cos(half_rad));
+                    const float aside = std::sqrt(1 - height * height);
+                    const float turn_rad = (float(j) + 0.5f) / 400 * 6.2831853f;
+                    above += height * std::sin(elevation_rad) + aside * std::cos(turn_rad) * std::cos(elevation_rad) > 0
+                                 ? 1
+                                 : 0;
+                }
+            // Half floats at 1, and the lattice of 400 squared.
+            EXPECT_NEAR(Wall(scene).at(-5.5f, 0.5f), float(above) / float(all), 0.002f)
+                << elevation_deg << " " << half_deg;
+        }
+}
+
+TEST(ShadowPlanar, ASunThatHasPartlySunkHasHalfShadows) {
+    // At an elevation of 38 degrees: 46, 103 and 160 degrees wide.
+    for (const float angle_rad : {0.8f, 1.8f, 2.8f})
+        for (const char* camera : {"main", "left", "top"}) {
+            // Measured 0.06 to 0.14; a hard shadow has 1.
+            EXPECT_LT(*measuredRamp("shadow/planar", camera, angle_rad).at("hard_ratio"), 0.2)
+                << camera << " " << angle_rad;
+        }
 }
 
 }  // namespace

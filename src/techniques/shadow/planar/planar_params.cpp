@@ -17,7 +17,7 @@ ParamTable Params::describe() {
         field(&P::normal, "normal")
             .range(-1, 1)
             .effect(ParamEffect::Resize)
-            .help("Of the given plane, of any length but 0."),
+            .help("Across the given plane: three numbers that are not all 0, made unit."),
         field(&P::offset_m, "offset", Unit::Metre)
             .range(-1e6, 1e6)
             .effect(ParamEffect::Resize)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "techniques/shadow/planar/wall_fixture.h"
 
@@ -55,12 +56,13 @@ struct Agreement {
     int asked = 0, shaded = 0, differing = 0;
 };
 
-Agreement agreementWithRays(const Scene& scene, const RenderResult& planar, RenderSettings settings) {
+Agreement agreementWithRays(const Scene& scene, const RenderResult& planar, RenderSettings settings,
+                            int receivers = 4) {
     settings.shadow = parsePipeline(Family::Shadow, "shadow/ray-traced");
     const RenderResult rays = renderFlat(scene, settings);
     Agreement agreement;
     for (std::size_t i = 0; i < rays.instance.size(); ++i) {
-        if (rays.instance[i] > 3) continue;
+        if (int(rays.instance[i]) >= receivers) continue;
         const float a = planar.visibility.at(0).plane(0)[i], b = rays.visibility.at(0).plane(0)[i];
         ++agreement.asked;
         agreement.shaded += b < 0.5f ? 1 : 0;
@@ -117,6 +119,88 @@ TEST(ShadowPlanar, FollowsLightsCastersAndReceiversThatMove) {
     EXPECT_EQ(shadedOn(start), 0);
     EXPECT_GT(shadedOn(raised), 300);
     EXPECT_EQ(shadedOn(start), 0);
+}
+
+// The slope and the wall are planes 2 and 3.
+TEST(ShadowPlanar, PlanesThatAreLeftOutHaveNoShadow) {
+    Scene scene = crossingPlanes();
+    scene.lights[0].type = LightType::Point;
+    RenderSettings settings = squareSettings(256);
+    const auto rendered = [&](const char* technique) {
+        settings.shadow = parsePipeline(Family::Shadow, technique);
+        return renderFlat(scene, settings);
+    };
+    const RenderResult all = rendered("shadow/planar"), floors = rendered("shadow/planar:planes=1");
+    int onFloors = 0, beyond = 0;
+    for (std::size_t i = 0; i < all.instance.size(); ++i) {
+        const float a = all.visibility.at(0).plane(0)[i], b = floors.visibility.at(0).plane(0)[i];
+        const bool isFloor = all.instance[i] < 2;
+        onFloors += isFloor && a < 0.5f ? 1 : 0;
+        beyond += !isFloor && a < 0.5f ? 1 : 0;
+        ASSERT_EQ(b, isFloor ? a : 1.0f) << i << " of instance " << all.instance[i];
+    }
+    EXPECT_GT(onFloors, 300);
+    EXPECT_GT(beyond, 300);
+}
+
+/// A closed room, x and z from -3 to 3, y from 0 to 3, with a board in it; floor and walls come first. The ceiling and
+/// the wall at x = 3 receive nothing: a lamp in them grazes them, and rays see rounding.
+Scene roomWithBoard() {
+    Scene scene = emptyScene(kSize);
+    addQuad(scene, {{-3, 0, 3}, {3, 0, 3}, {3, 0, -3}, {-3, 0, -3}}, 0.5f);
+    addQuad(scene, {{-3, 3, -3}, {3, 3, -3}, {3, 3, 3}, {-3, 3, 3}}, 0.5f);
+    addQuad(scene, {{-3, 0, -3}, {3, 0, -3}, {3, 3, -3}, {-3, 3, -3}}, 0.5f);
+    addQuad(scene, {{3, 0, 3}, {-3, 0, 3}, {-3, 3, 3}, {3, 3, 3}}, 0.5f);
+    addQuad(scene, {{-3, 0, 3}, {-3, 0, -3}, {-3, 3, -3}, {-3, 3, 3}}, 0.5f);
+    addQuad(scene, {{3, 0, -3}, {3, 0, 3}, {3, 3, 3}, {3, 3, -3}}, 0.5f);
+    addQuad(scene, {{-1, 0.8f, -0.5f}, {0.5f, 0.8f, -0.5f}, {0.5f, 1.6f, 0.5f}, {-1, 1.6f, 0.5f}}, 0.2f);
+    for (const std::size_t i : {1, 5, 6}) scene.models[i].receives = false;
+    Camera& camera = scene.cameras[0];
+    camera.position = {2.5, 1.5, 2.5};
+    camera.target = {-0.5, 1.5, -0.5};
+    camera.orthoHeight_m.reset();
+    camera.fovY_rad = 1.5f;
+    scene.lights[0].type = LightType::Point;
+    scene.lights[0].intensity = 100;
+    return scene;
+}
+
+// Flattened, the ceiling or wall that a lamp lies in is a line that reaches to infinity; turned, nothing of it is
+// exact. Rays go to 20 um inside of the room, for the lamp itself may be rounded to without.
+TEST(ShadowPlanar, CastersInWhosePlaneALampLiesThrowNoShadow) {
+    RenderSettings settings = squareSettings(256);
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/planar");
+    // In the ceiling, on its diagonal, in a wall, in both, and just within: more than the tolerance.
+    for (const glm::dvec3& place : {glm::dvec3(0.4, 3, 0.6), glm::dvec3(0.6, 3, 0.6), glm::dvec3(3, 2.5, 0.6),
+                                    glm::dvec3(3, 3, 0.5), glm::dvec3(0.4, 2.99999, 0.6)})
+        for (const double turn_rad : {0.0, 0.4, 1.1}) {
+            Scene scene = roomWithBoard();
+            const glm::dmat4 turned = glm::rotate(glm::dmat4(1), turn_rad, glm::normalize(glm::dvec3(1, 2, 3)));
+            const auto turn = [&](const glm::dvec3& p) { return glm::dvec3(turned * glm::dvec4(p, 1)); };
+            for (Instance& instance : scene.instances) instance.worldFromLocal = turned;
+            scene.lights[0].position = turn(place);
+            Camera& camera = scene.cameras[0];
+            camera.position = turn(camera.position);
+            camera.target = turn(camera.target);
+            const RenderResult planar = renderFlat(scene, settings);
+            scene.lights[0].position = turn(glm::min(place, glm::dvec3(3 - 2e-5)));
+            const Agreement agreement = agreementWithRays(scene, planar, settings, 6);
+            EXPECT_GT(agreement.shaded, 500);
+            // Pixels whose middle an edge passes through.
+            EXPECT_LE(agreement.differing, agreement.asked / 2000) << place.x << " " << place.y << " " << turn_rad;
+        }
+}
+
+TEST(ShadowPlanar, WarnsOfAGivenPlaneThatNoSurfaceLiesIn) {
+    RenderSettings settings = squareSettings(kSize);
+    const auto warningsOf = [&](const char* technique) {
+        settings.shadow = parsePipeline(Family::Shadow, technique);
+        return renderFlat(crossingPlanes(), settings).warnings;
+    };
+    EXPECT_TRUE(warningsOf("shadow/planar:receivers=given").empty());
+    const std::vector<std::string> warnings = warningsOf("shadow/planar:receivers=given,normal=(0;0.5;0),offset=1000");
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("normal=(0;0.5;0),offset=1000"), std::string::npos) << warnings[0];
 }
 
 }  // namespace

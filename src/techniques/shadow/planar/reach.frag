@@ -50,6 +50,8 @@ void main() {
     float lightHeight = dot(u_plane, u_toward);
 #ifdef CONTACT
     LightDisk disk = lightDisk(p_world);
+    // Half-shadows of a light that sinks under the plane have no end.
+    isSeen = isSeen && length(vec2(dot(u_plane.xyz, disk.u), dot(u_plane.xyz, disk.v))) < 0.9 * lightHeight;
     vec3 toLight = (u_toward.xyz - u_toward.w * p_world) / lightHeight;
     vec3 u = clipXyw(vec4(disk.u - dot(u_plane.xyz, disk.u) * toLight, 0.0));
     vec3 v = clipXyw(vec4(disk.v - dot(u_plane.xyz, disk.v) * toLight, 0.0));

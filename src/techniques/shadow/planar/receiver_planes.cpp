@@ -10,6 +10,8 @@ namespace ombrage::planar {
 
 ReceiverPlanes::ReceiverPlanes(const FlatScene& flat, PlanarSurfaces surfaces)
     : planes(std::move(surfaces.planes)), tolerance_m(float(planeTolerance_m(flat))) {
+    empty =
+        std::all_of(surfaces.planeOf.begin(), surfaces.planeOf.end(), [](std::uint8_t plane) { return plane == 0; });
     // Whole words, and never an empty buffer.
     surfaces.planeOf.resize((surfaces.planeOf.size() + 3) / 4 * 4 + 4);
     planeOf = gl::Buffer::from(surfaces.planeOf, "receiver planes");

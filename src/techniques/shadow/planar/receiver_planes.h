@@ -13,6 +13,7 @@ namespace ombrage::planar {
 struct ReceiverPlanes {
     std::vector<Plane> planes;
     float tolerance_m = 0;
+    bool empty = true;   ///< no triangle lies in any
     gl::Buffer planeOf;  ///< a byte per global triangle: 1 + its plane, 0: in none
 
     ReceiverPlanes(const FlatScene& flat, PlanarSurfaces surfaces);

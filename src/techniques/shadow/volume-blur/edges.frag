@@ -12,10 +12,10 @@ layout(binding = 7) uniform sampler2D t_nearness;   // contact.frag; 0: no side
 // Distance of a surface from a side that ends the shadow there, in pixels' sizes as the surface shows them. More means that
 // the right side was not drawn there.
 const float kNear = 1.5;
-#endif
 
-// Distance of a neighbour from the tangent plane, in pixels' sizes, from which on it is another surface.
-const float kStep = 2.0;
+// By so much less a neighbour's must be.
+const float kOwn = 0.5;
+#endif
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = ivec2(frame.viewport.xy) - 1;
@@ -26,19 +26,22 @@ void main() {
 
     bool isEdge = false;
 #if MODE == MODE_CONTACT
-    // The distance that the nearest of the sides over the pixel and its neighbours has.
-    float nearness = texelFetch(t_nearness, pixel, 0).r, contact = texelFetch(t_contact, pixel, 0).r;
+    // The distance that the nearest of the sides over the pixel has; that of a neighbour beyond the edge where one is clearly
+    // nearer there, as at a volume's corners. A neighbour may have another shadow's, across a narrow gap.
+    float stretch = 1.0 / max(dot(n_g, directionToEye(p_world)), 0.05);
+    float aside = 1.0 / max(texelFetch(t_nearness, pixel, 0).r, 1e-6) - 1.0 - kOwn * stretch;
+    float contact = texelFetch(t_contact, pixel, 0).r;
 #endif
     const ivec2 steps[4] = ivec2[](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
     for (int i = 0; i < 4; ++i) {
         ivec2 at = clamp(pixel + steps[i], ivec2(0), last);
-        float depthThere = gbufferDepth(at);
-        if (depthThere == 0.0 || abs(dot(n_g, positionOf(at, depthThere) - p_world)) > kStep * pixel_m) continue;
-        isEdge = isEdge || texelFetch(t_hard, at, 0).r != hard;
+        if (!isSameSurface(p_world, n_g, pixel_m, at, 0.0)) continue;
+        if (texelFetch(t_hard, at, 0).r == hard) continue;
+        isEdge = true;
 #if MODE == MODE_CONTACT
-        float nearnessThere = texelFetch(t_nearness, at, 0).r;
-        if (nearnessThere > nearness) {
-            nearness = nearnessThere;
+        float asideThere = 1.0 / max(texelFetch(t_nearness, at, 0).r, 1e-6) - 1.0;
+        if (asideThere < aside) {
+            aside = asideThere;
             contact = texelFetch(t_contact, at, 0).r;
         }
 #endif
@@ -46,8 +49,7 @@ void main() {
     if (!isEdge) return;
 
 #if MODE == MODE_CONTACT
-    float stretch = 1.0 / max(dot(n_g, directionToEye(p_world)), 0.05);
-    if (nearness < 1.0 / (1.0 + kNear * stretch)) return;
+    if (aside > kNear * stretch) return;
     float radius_m = penumbraRadius_m(p_world, n_g, contact);
 #else
     float contact = 0.0, radius_m = constantRadius_m(pixel_m);

@@ -86,11 +86,12 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
+        const VolumeChoice byZFail = countedByZFail(frame, light, CountingMode::Clamp);
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), byZFail);
         m_volumes.report(frame);
         const VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         {
-            const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp);
+            const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp, byZFail);
             const auto pass = frame.pass("shadow volumes");
             counter.begin(split.atTheEye);
             split.count(counter);
@@ -114,7 +115,7 @@ public:
         }
         Contact contact;
         if (byContact) contact = drawContact(frame, light);
-        const TargetPool::Target edges = spread(frame, findEdges(frame, *hard, contact));
+        const TargetPool::Target edges = spread(frame, *hard, findEdges(frame, *hard, contact));
         blur(frame, *hard, *edges, visibility);
         if (frame.wants(kHard)) frame.expose(kHard, *hard, ShowAs::Value);
         if (frame.wants(kContact)) show(frame, *edges, true);
@@ -176,7 +177,7 @@ private:
     }
 
     /// Hands every edge to the pixels that it may reach.
-    TargetPool::Target spread(FrameContext& frame, TargetPool::Target edges) {
+    TargetPool::Target spread(FrameContext& frame, const gl::Texture& hard, TargetPool::Target edges) {
         const auto pass = frame.pass("spread edges");
         // Edges of a width in pixels reach no farther than that.
         const bool inPixels = p().mode == BlurMode::Constant && p().unit == BlurUnit::Pixels;
@@ -190,6 +191,7 @@ private:
             const gl::Program& program = frame.fullscreenProgram(*this, "shadow/volume-blur/spread.frag");
             program.set("u_step", step);
             edges->bind(kFirstFreeUnit);
+            hard.bind(kFirstFreeUnit + 1);
             gl::apply({});
             frame.drawFullscreen();
             edges = next;
@@ -243,7 +245,7 @@ OMBRAGE_TECHNIQUE(
      .papers = {"everitt2002volumes", "fernando2005pcss", "rong2006jump", "vogel1979"},
      .limits =
          "Knows the shadows that the picture shows and one caster for each pixel: edges beyond the picture's border or "
-         "behind something else are missing, and penumbrae of different widths do not mix.",
+         "behind something else are missing, and penumbrae of different widths mix roughly.",
      .domain = {.soft = true, .closedCastersOnly = true, .alphaTest = false},
      .passes = blurPasses(),
      .needsStencil = true,

@@ -46,6 +46,50 @@ TEST(VolumeBlur, ByContactTheWidthOfASunsEdgeIsThatOfItsDisk) {
     EXPECT_NEAR(width_m(row, 0.196f, 0.804f), along_m * std::tan(0.25) / double(l.z), 1.0);
 }
 
+TEST(VolumeBlur, WhatIsBelowTheHorizonSendsNothing) {
+    // A ball of 7 m whose centre is 3.5 m over the floor, and nothing between the two.
+    HalfPlane half(LightType::Point);
+    Light& light = half.scene.lights[0];
+    light.position = {-60, 0, 3.5f};
+    const std::vector<float> row = half.row("shadow/volume-blur:samples=256");
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const double x = double(i) + 0.5 + 60, h = 3.5, distance = std::hypot(x, h);
+        // The disk that is seen, tilted by the ray's slope, less the segment below the floor.
+        const double u = h / double(light.radius_m) * distance / x;
+        // 257 points, of which a row across the disk, some 16, may lie on either side.
+        EXPECT_NEAR(row[i], 1 - (std::acos(u) - u * std::sqrt(1 - u * u)) / 3.14159265358979, 16.0 / 257) << i;
+    }
+}
+
+TEST(VolumeBlur, AShadowStaysWholeWhereAWiderPenumbraReachesIntoIt) {
+    HalfPlane half(LightType::Spot);
+    const float x = HalfPlane::kLightX_m, z = HalfPlane::kLight_m, high = 14, low = 6, left = -5.8f;
+    half.scene = [&] {
+        Scene scene = emptyScene(HalfPlane::kSize_px);
+        addQuad(scene, {{-99, -99, 0}, {99, -99, 0}, {99, 99, 0}, {-99, 99, 0}}, 0.1f);
+        addQuad(scene, {{-99, -99, high}, {left, -99, high}, {left, 99, high}, {-99, 99, high}}, 0.1f);
+        addQuad(scene, {{5, -99, low}, {20, -99, low}, {20, 99, low}, {5, 99, low}}, 0.1f);
+        scene.lights = half.scene.lights;
+        return scene;
+    }();
+    const auto shadowOf = [&](float edge, float height) { return edge + (edge - x) * height / (z - height); };
+    const float penumbra_m = HalfPlane::kRadius_m * low / (z - low), from = shadowOf(5, low), to = shadowOf(20, low);
+    // The upper sheet's penumbra is 16 m to either side of what is seen left of the lower sheet, and ends in its
+    // shadow.
+    ASSERT_GT(from, shadowOf(left, high));
+    ASSERT_LT(shadowOf(left, high), 5.0f);
+    ASSERT_LT(shadowOf(left, high) + HalfPlane::kRadius_m * high / (z - high), to);
+    const std::vector<float> row = half.row("shadow/volume-blur:samples=256");
+    int whole = 0;
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        // The hard shadow's edge lies somewhere in a pixel; up to 20 m the lower sheet is seen.
+        if (float(i) < std::max(from + penumbra_m + 1, 20.0f) || float(i) + 1 > to - penumbra_m - 1) continue;
+        EXPECT_EQ(row[i], 0.0f) << i;
+        ++whole;
+    }
+    EXPECT_GE(whole, 8);
+}
+
 TEST(VolumeBlur, AConstantWidthIsThatWidth) {
     HalfPlane half(LightType::Spot);
     for (const char* unit : {"pixels", "metres"}) {

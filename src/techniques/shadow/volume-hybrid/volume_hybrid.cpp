@@ -22,7 +22,7 @@ struct VolumeHybridParams : VolumeParams {
 
     static ParamTable describe() {
         using P = VolumeHybridParams;
-        return volumeTable(
+        return volumeTableWithoutEnds(
             {field(&P::resolution, "resolution", Unit::Texel)
                  .range(16, 8192, Scale::Log)
                  .tune(256, 4096)
@@ -61,14 +61,15 @@ public:
     }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        m_volumes.update(frame, light, ShadowVolumeOptions(p()), countedByZFail(frame, light, CountingMode::Clamp));
+        const VolumeChoice byZFail = countedByZFail(frame, light, CountingMode::Clamp);
+        m_volumes.update(frame, light, ShadowVolumeOptions(p()), byZFail);
         m_volumes.report(frame);
         m_map.update(frame, light, {.resolution = p().resolution, .keep = p().cache});
         const TargetPool::Target marked = askMap(frame, visibility);
 
         VolumeCounter counter(frame, light, m_volumes, p().twoSided);
         counter.restrictToMarked();
-        const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp);
+        const VolumeSplit split(frame, light, m_volumes, CountingMode::Clamp, byZFail);
         {
             const auto pass = frame.pass("shadow volumes");
             counter.begin(split.atTheEye);

@@ -94,6 +94,9 @@ void TileClasses::classify(const VolumeChoice& chosen, int atTheEye) {
 
 void TileClasses::stencil(bool boundary, int value, unsigned writeMask) const {
     gl::DrawState state;
+    // Tiles are drawn at infinity: before nothing but the sky.
+    state.depthTest = true;
+    state.depthFunc = GL_LESS;
     state.stencilTest = true;
     for (auto* face : {&state.stencilFront, &state.stencilBack}) {
         face->reference = value;

@@ -19,7 +19,8 @@ public:
     /// Counts, once for every tile, how many volumes hold its surfaces, by z-pass from the eye's own count.
     void classify(const VolumeChoice& chosen, int atTheEye);
 
-    /// Writes a stencil value at all pixels of the tiles of the boundary, or of dark ones. Draws into the bound target.
+    /// Writes a stencil value at all pixels of surfaces in the tiles of the boundary, or in dark ones. Draws into the
+    /// bound target, which has the depth of the G-buffer.
     void stencil(bool boundary, int value, unsigned writeMask) const;
 
     /// 1 at the pixels of the boundary's tiles.

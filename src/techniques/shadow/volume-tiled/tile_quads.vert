@@ -23,5 +23,5 @@ void main() {
     while (tile.x + across < tilesAcross && isWanted(tile + ivec2(across, 0))) ++across;
     const ivec2 offsets[6] = ivec2[6](ivec2(0, 0), ivec2(1, 0), ivec2(1, 1), ivec2(0, 0), ivec2(1, 1), ivec2(0, 1));
     vec2 pixel = vec2((tile + offsets[corner] * ivec2(across, 1)) * ONTO_TILES);
-    gl_Position = vec4(pixel * 2.0 * frame.viewport.zw - 1.0, 0.5, 1.0);
+    gl_Position = vec4(pixel * 2.0 * frame.viewport.zw - 1.0, 0.0, 1.0);
 }

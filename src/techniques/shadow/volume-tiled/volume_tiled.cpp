@@ -32,7 +32,7 @@ public:
     void prepare(FrameContext&) override { m_volumes.reset(); }
 
     void render(FrameContext& frame, const LightFrame& light, const gl::Texture& visibility) override {
-        const bool tiled = inTiles(frame);
+        const bool tiled = inTiles(frame, light);
         const VolumeChoice withCaps(frame.gpuScene->flat().instances.size(), !tiled);
         m_volumes.update(frame, light, ShadowVolumeOptions(p()), withCaps);
         m_volumes.report(frame);
@@ -46,12 +46,12 @@ public:
     std::uint64_t gpuBytes() const override { return m_volumes.gpuBytes(); }
 
 private:
-    /// Z-pass from the eye is what tiles are counted by: not for casters that touch it, nor for orthographic cameras.
-    bool inTiles(const FrameContext& frame) const {
+    /// Z-pass from the eye is what tiles are counted by: not where it cannot be, nor for orthographic cameras.
+    bool inTiles(const FrameContext& frame, const LightFrame& light) const {
         if (frame.view.orthographic) return false;
         const auto& instances = frame.gpuScene->flat().instances;
         for (std::size_t i = 0; i < instances.size(); ++i)
-            if (instances[i].casts && touchesEye(frame, i)) return false;
+            if (instances[i].casts && !countsFromEye(frame, light, i)) return false;
         return true;
     }
 
@@ -126,8 +126,9 @@ OMBRAGE_TECHNIQUE(
      .summary = "Stencil shadow volumes counted once for every 8x8 pixels, and pixel by pixel only in the tiles whose "
                 "surfaces the boundary of a volume crosses.",
      .papers = {"aila2004hierarchical", "olano1997homogeneous", "crow1977", "kim2008volumes"},
-     .limits = "The whole picture is counted where a caster touches the eye, and by orthographic cameras. Hard shadows "
-               "of opaque triangles only: holes of alpha-tested casters are filled.",
+     .limits = "The whole picture is counted where a caster touches the eye, has holes or has the eye on its volume's "
+               "border, and by orthographic cameras. Hard shadows of opaque triangles only: holes of alpha-tested "
+               "casters are filled.",
      .domain = {.rect = false, .closedCastersOnly = true, .alphaTest = false},
      .passes = tiledPasses(),
      .needsStencil = true})

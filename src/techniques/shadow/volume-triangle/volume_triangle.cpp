@@ -8,6 +8,7 @@
 #include "render/recorder.h"
 #include "render/technique.h"
 #include "techniques/shared/gpu_triangles.h"
+#include "techniques/shared/volume_fill.h"
 
 namespace ombrage {
 
@@ -323,7 +324,8 @@ private:
         frame.expose("shadow-level", *levels, ShowAs::Count);
     }
 
-    /// What was done, beside testing every pixel that the light may reach against every triangle.
+    /// What was done, beside testing every pixel that the light may reach against every triangle, and beside the
+    /// fragments that z-fail would draw.
     void report(FrameContext& frame, const LightFrame& light) {
         std::array<std::uint64_t, kCounterWords / 2> counts{};  // asked, node tests, pixel tests, exact tests
         m_nodes.download(0, sizeof counts, counts.data());
@@ -336,6 +338,10 @@ private:
         frame.counter("pixel tests", double(counts[2]));
         frame.counter("exact tests", double(counts[3]));
         frame.counter("pixel tests saved", double(counts[0]) * double(casting) - double(counts[2]));
+        if (!frame.countsSavings()) return;
+        VolumeFill fill = countFill(frame, light, {});
+        fill.counted = double(counts[2]);
+        reportFill(frame, fill);
     }
 
     gl::Buffer m_nodes, m_queues, m_excluded;

@@ -13,8 +13,9 @@ namespace ombrage::test {
 namespace {
 
 RenderResult shoot(const Scene& scene, const std::string& technique, int width = kWidth, int height = kHeight,
-                   std::vector<std::string> show = {}) {
+                   std::vector<std::string> show = {}, bool countSavings = false) {
     RenderSettings settings;
+    settings.countSavings = countSavings;
     settings.width = width;
     settings.height = height;
     settings.show = std::move(show);
@@ -154,6 +155,18 @@ TEST(TriangleVolumes, CountersSayWhatEachPartSaves) {
     EXPECT_EQ(all.at("pixel tests") + all.at("pixel tests saved"),
               pixelwise.at("pixel tests") + pixelwise.at("pixel tests saved"));
     EXPECT_LT(all.at("pixel tests"), 0.1 * all.at("pixel tests saved"));
+
+    // Beside z-fail on the same picture: the fragments that z-fail itself counts, less the tests.
+    const auto beside = [&](const char* technique) {
+        return shoot(scene, technique, kWidth, kHeight, {}, true).counters;
+    };
+    const double fill = beside("shadow/volume-zfail").at("fill");
+    const auto savings = beside("shadow/volume-triangle");
+    EXPECT_GT(fill, 0.0);
+    EXPECT_EQ(savings.at("fill of z-fail"), fill);
+    EXPECT_EQ(savings.at("fill saved"), fill - savings.at("pixel tests"));
+    EXPECT_EQ(savings.at("pixel tests"), all.at("pixel tests"));
+    EXPECT_EQ(all.count("fill saved"), 0u);
 }
 
 TEST(TriangleVolumes, PicturesSayWhichLevelDecidedAndHowOftenAPixelWasTested) {

@@ -19,11 +19,11 @@ class VolumeZPPlus final : public VolumeTechniqueOf<VolumeZPPlusParams> {
         return countedByZFail(frame, light, CountingMode::NearClip);
     }
 
-    void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) override {
+    void count(FrameContext& frame, const LightFrame&, const VolumeCounter& counter) override {
         {
             const auto pass = frame.pass("near plane from the light");
             counter.begin(0);
-            VolumeChoice before = needsCaps(frame, light);
+            VolumeChoice before = withCaps();
             for (std::size_t i = 0; i < before.size(); ++i) before[i] = before[i] && volumes().casters()[i];
             frame.counter("casters before the near plane", double(std::count(before.begin(), before.end(), true)));
             counter.nearPlane(before);

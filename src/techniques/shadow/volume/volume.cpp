@@ -12,11 +12,13 @@ struct AutomaticVolumeParams : VolumeParams {
 
     static ParamTable describe() {
         using P = AutomaticVolumeParams;
-        return volumeTable({field(&P::count, "count")
-                                .effect(ParamEffect::Host)
-                                .help("near-clip: z-fail for casters that reach between the near plane and the light, "
-                                      "z-pass for the others. clamp: z-pass for all but those that touch the eye, with "
-                                      "depth clamped and the count started from the casters between eye and light.")});
+        return volumeTable(
+            {field(&P::count, "count")
+                 .effect(ParamEffect::Host)
+                 .help("near-clip: z-fail for casters that reach between the near plane and the light, "
+                       "z-pass for the others. clamp: z-pass for all but those that touch the eye or have it "
+                       "on their volume's border, with depth clamped and the count started from the casters "
+                       "between eye and light. Alpha-tested casters are always counted by z-fail.")});
     }
 };
 
@@ -26,7 +28,7 @@ class ShadowVolume final : public VolumeTechniqueOf<AutomaticVolumeParams> {
     }
 
     void count(FrameContext& frame, const LightFrame& light, const VolumeCounter& counter) override {
-        const VolumeSplit split(frame, light, volumes(), p().count);
+        const VolumeSplit split(frame, light, volumes(), p().count, withCaps());
         const auto pass = frame.pass("shadow volumes");
         counter.begin(split.atTheEye);
         split.count(counter);

@@ -38,10 +38,15 @@ vec2 insideOutline(vec2 a, vec2 b) {
     return vec2(max(0.0, (middle - root) / length2), min(1.0, (middle + root) / length2));
 }
 
-// Disk: between a chord from l to r, counter-clockwise, and the rim.
+// Disk: between a chord from l to r, counter-clockwise, and the rim. Of a cone both the sector and the triangle from the axis are
+// areas on the unit sphere (van Oosterom and Strackee 1983, equation 8), scaled so that the cone's is pi.
 float sectorBeyond(vec2 l, vec2 r) {
-    float area = cross2(l, r);
-    return 0.5 * (atan(area, dot(l, r)) - area);
+    float area = cross2(l, r), angle = atan(area, dot(l, r));
+    if (g_coneTangent < 1e-3) return 0.5 * (angle - area);
+    float t2 = g_coneTangent * g_coneTangent, secant = sqrt(1.0 + t2);
+    float lengthL = sqrt(1.0 + t2 * dot(l, l)), lengthR = sqrt(1.0 + t2 * dot(r, r));
+    float excess = 2.0 * atan(t2 * area, lengthL * lengthR + lengthL + lengthR + 1.0 + t2 * dot(l, r));
+    return 0.5 * (angle - excess * secant * (secant + 1.0) / t2);
 }
 
 // Of the straight line at distance d from the middle in the direction n, the part in the sector from l to r (counter-

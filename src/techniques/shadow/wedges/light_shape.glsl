@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The light's outline as a receiver sees it: a disk or a rectangle about the light's centre, on which coordinates run from -1
-// to 1. Spheres and suns are the disk that their cone of directions cuts out (uniform in area here, in solid angle in the
-// truth: cos^3 of an angle below half the light's).
+// to 1. Spheres and suns are the disk that their cone of directions cuts out.
 #include "shared/light_sampling.glsl"
 #include "shadow/wedges/params"
 
@@ -15,6 +14,9 @@ struct LightOutline {
     bool seen;         // from its bright side, and from outside
 };
 
+// Tangent of the half angle of a sphere's or sun's cone, which shines evenly in solid angle; 0: an outline even in area.
+float g_coneTangent = 0.0;
+
 const float kSmallest = 1e-6;   // of a side of a rect that has none, in metres; of distances, of that to the light
 
 LightOutline outlineOf(vec3 p_world) {
@@ -25,6 +27,7 @@ LightOutline outlineOf(vec3 p_world) {
         o.toCentre = o.towards = -light.direction.xyz;
         o.distance_m = 1.0;
         o.halfSize = vec2(light.cone.z * params.size);
+        g_coneTangent = o.halfSize.x;
     } else {
         o.toCentre = light.position.xyz - p_world;
         if (LIGHT_IS(LIGHT_POINT)) {
@@ -33,6 +36,7 @@ LightOutline outlineOf(vec3 p_world) {
             float radius = light.cone.z * params.size, rest2 = o.distance_m * o.distance_m - radius * radius;
             o.seen = rest2 > 0.0;
             o.halfSize = vec2(radius * o.distance_m * inversesqrt(max(rest2, 1e-12)));
+            g_coneTangent = o.halfSize.x / o.distance_m;
         } else {
             o.towards = -light.direction.xyz;
             o.distance_m = dot(o.toCentre, o.towards);

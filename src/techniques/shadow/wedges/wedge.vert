@@ -85,7 +85,8 @@ void main() {
     vec4 p = vec4(gl_VertexID == 0 ? nearA : nearB, 1.0);
     if (gl_VertexID > 1) {
         float k = (gl_VertexID & 1) == 0 ? low : high, t = gl_VertexID < 4 ? wide : -wide;
-        p = vec4(x + y * k + z * t, u_infinity);
+        // Where infinity is a point, the rays still start where the wedge does.
+        p = vec4(x + y * k + z * t + u_infinity * ((gl_VertexID & 1) == 0 ? nearA : nearB), u_infinity);
     }
     gl_Position = clipFromPosition(frame.clipFromWorld, p);
 }

@@ -20,6 +20,7 @@ constexpr double kSheet = 0.1;
 
 constexpr const char* kCoverage = "wedge-coverage";
 constexpr const char* kOverlap = "wedge-overlap";
+constexpr const char* kFaces = "wedge-faces";
 
 /// Storage buffer bindings of wedge.vert.
 constexpr unsigned kEndStorage = 3, kSideStorage = 4;
@@ -74,7 +75,7 @@ public:
             const VolumeCounter counter(frame, light, m_away, true);
             count(frame, counter, m_away.casters());
             showVolumes(frame, light, m_away);
-            showNothing(frame, {kCoverage, kOverlap});
+            showNothing(frame, {kCoverage, kOverlap, kFaces});
             const auto pass = frame.pass("shadow from stencil");
             counter.darken(visibility);
             return;
@@ -95,11 +96,13 @@ public:
             if (&layer == layers.data()) showVolumes(frame, light, m_away);
             target.bind();
             addCount(frame, layer);
-            addWedges(frame, light, layer, "shadow/wedges/wedge.frag");
+            const auto pass = frame.pass("wedges");
+            addWedges(frame, light, layer, inside(frame), "shadow/wedges/wedge.frag");
         }
         resolve(frame, visibility, *share, layers.size() > 1);
         if (frame.wants(kCoverage)) frame.expose(kCoverage, *share, ShowAs::Count);
         if (frame.wants(kOverlap)) showOverlap(frame, light, layers);
+        if (frame.wants(kFaces)) showFaces(frame, light, layers);
     }
 
     std::uint64_t gpuBytes() const override { return m_away.gpuBytes() + m_lit.gpuBytes() + m_hull.size(); }
@@ -167,22 +170,25 @@ private:
         }
     }
 
-    void addWedges(FrameContext& frame, const LightFrame& light, const Layer& layer, const char* fragmentPath) {
-        const auto pass = frame.pass("wedges");
-        if (!m_hull) {
-            m_hull = gl::Buffer::from(kHull, "wedge corners");
-            m_corners = gl::VertexArray({}, {}, m_hull.id());
-        }
-        const LightRegion region(frame.view, light);
-        if (region.empty) return;
-
-        // Back faces behind the surface: each pixel that may be inside of a wedge, once.
+    /// Back faces behind the surface: each pixel that may be inside of a wedge, once.
+    static gl::DrawState inside(const FrameContext& frame) {
         gl::DrawState state;
         state.depthTest = true;
         state.depthFunc = GL_LESS;
         state.depthClamp = frame.view.orthographic;
         state.cull = GL_FRONT;
         state.blend = true;
+        return state;
+    }
+
+    void addWedges(FrameContext& frame, const LightFrame& light, const Layer& layer, gl::DrawState state,
+                   const char* fragmentPath, std::vector<std::pair<std::string, std::string>> defines = {}) {
+        if (!m_hull) {
+            m_hull = gl::Buffer::from(kHull, "wedge corners");
+            m_corners = gl::VertexArray({}, {}, m_hull.id());
+        }
+        const LightRegion region(frame.view, light);
+        if (region.empty) return;
         state.scissor = region.scissor;
         const gl::DepthBounds bounds(region.depthBounds);
         gl::apply(state);
@@ -191,9 +197,10 @@ private:
         frame.gpuScene->derived<VolumeVertices>().buffer.bindStorage(kEndStorage);
         layer.volumes->indices().bindStorage(kSideStorage);
         const gl::Program& program =
-            frame.program(*this, {{GL_VERTEX_SHADER, "shadow/wedges/wedge.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}});
+            frame.program(*this, {{GL_VERTEX_SHADER, "shadow/wedges/wedge.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}},
+                          std::move(defines));
         program.set("u_stride", layer.volumes->indicesPerSide());
-        program.set("u_infinity", ShadowVolumes::infinity(frame.view));
+        program.set("u_infinity", ShadowVolumes::infinity(frame));
         program.set("u_sums", layer.sums);
 
         // A command per caster, an instance per side.
@@ -226,12 +233,26 @@ private:
     }
 
     void showOverlap(FrameContext& frame, const LightFrame& light, const std::vector<Layer>& layers) {
+        const FrameContext::Uncounted aside(frame);
         const gl::Texture overlap({.format = GL_R32F, .width = frame.width, .height = frame.height}, "wedge overlap");
         const gl::Framebuffer target({{&overlap}}, {&frame.gbuffer->depth}, "wedge overlap");
         target.bind();
         target.clearColor(0, glm::vec4(0));
-        for (const Layer& layer : layers) addWedges(frame, light, layer, "shared/volume_one.frag");
+        for (const Layer& layer : layers) addWedges(frame, light, layer, inside(frame), "shared/volume_one.frag");
         frame.expose(kOverlap, overlap, ShowAs::Count);
+    }
+
+    void showFaces(FrameContext& frame, const LightFrame& light, const std::vector<Layer>& layers) {
+        const FrameContext::Uncounted aside(frame);
+        const gl::Texture picture = volumeBackdrop(frame);
+        const gl::Framebuffer target({{&picture}}, {&frame.gbuffer->depth}, "wedge faces");
+        target.bind();
+        gl::DrawState state = volumeOverlay();
+        for (const Layer& layer : layers) addWedges(frame, light, layer, state, kVolumeTintPath);
+        state.blendEquation = GL_MAX;
+        state.wireframe = true;
+        for (const Layer& layer : layers) addWedges(frame, light, layer, state, kVolumeTintPath, {{"OUTLINE", ""}});
+        frame.expose(kFaces, picture, ShowAs::Color);
     }
 
     ShadowVolumes m_away, m_lit;
@@ -244,6 +265,7 @@ std::vector<PassInfo> wedgePasses() {
     passes.push_back(
         {kCoverage, "share of the light that the edges add to the hard shadow of what is turned away from it"});
     passes.push_back({kOverlap, "wedges over each pixel, which is what the pass costs"});
+    passes.push_back({kFaces, "the wedges' faces, translucent, with their outlines"});
     return passes;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <gtest/gtest.h>
+#include <glm/gtc/constants.hpp>
 
 #include "techniques/half_plane_scene.h"
 #include "techniques/technique_case.h"
@@ -45,11 +46,53 @@ TEST(Wedges, AStraightEdgeHidesASegmentOfTheLight) {
     }
 }
 
+TEST(Wedges, AWideSunShinesEvenlyInSolidAngle) {
+    HalfPlane half(LightType::Sun);
+    Light& sun = half.scene.lights[0];
+    sun.angle_rad = 2.4f;
+    const std::vector<float> row = half.row("shadow/wedges");
+    // Directions evenly over the cone about the sun's: rings of equal height on the unit sphere.
+    const glm::dvec3 axis = -glm::dvec3(sun.direction), side(0, 1, 0), up = glm::cross(axis, side);
+    constexpr int kRings = 200, kAround = 400;
+    for (const std::size_t i : {2u, 8u, 20u, 40u}) {
+        int seen = 0;
+        for (int r = 0; r < kRings; ++r)
+            for (int a = 0; a < kAround; ++a) {
+                const double c = 1 - (r + 0.5) / kRings * (1 - std::cos(1.2)), s = std::sqrt(1 - c * c),
+                             angle = (a + 0.5) / kAround * 2 * glm::pi<double>();
+                const glm::dvec3 d = c * axis + s * (std::cos(angle) * side + std::sin(angle) * up);
+                // Above the floor, and past the sheet, which ends 99 m from the zero.
+                const double reach_m = double(HalfPlane::kSheet_m) / d.z, x = double(i) + 0.5 + reach_m * d.x;
+                seen += d.z > 0 && (x > 0 || x < -99 || std::abs(reach_m * d.y) > 99) ? 1 : 0;
+            }
+        // The sum over 80,000 directions, and kRounding.
+        EXPECT_NEAR(row[i], double(seen) / (kRings * kAround), 0.004) << i;
+    }
+}
+
 TEST(Wedges, TheSizeScalesThePenumbra) {
     HalfPlane half(LightType::Spot);
     const std::vector<float> narrow = half.row("shadow/wedges:size=0.5");
     half.scene.lights[0].radius_m *= 0.5f;
     EXPECT_EQ(half.row("shadow/wedges"), narrow);
+}
+
+TEST(Wedges, TheirFacesCanBeSeenWhereTheLightHasASize) {
+    // Wires are drawn in one colour, red over blue, on a grey scene.
+    const auto wires = [](const std::string& technique) {
+        RenderSettings settings;
+        settings.width = 320;
+        settings.height = 180;
+        settings.shadow = parsePipeline(Family::Shadow, technique);
+        settings.show = {"wedge-faces"};
+        const Image shown = renderScene(Bench::of("area-overlap").scene(), settings).shown.at("wedge-faces");
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < shown.pixelCount() && shown.planeCount() > 2; ++i)
+            count += shown.plane(0)[i] > 2 * shown.plane(2)[i] ? 1 : 0;
+        return count;
+    };
+    EXPECT_GT(wires("shadow/wedges"), 500u);
+    EXPECT_EQ(wires("shadow/wedges:size=0"), 0u);
 }
 
 TEST(Wedges, WithoutSizeTheyAreTheVolumes) {
