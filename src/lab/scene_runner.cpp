@@ -159,8 +159,12 @@ void SceneRunner::measureShadowRun(const Measured& run, RunRecord& record) {
     if (run.kind != TruthKind::Area)
         maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
     ShadowQuestion question;
-    if (const auto texels = run.result.footprint.find(light); texels != run.result.footprint.end())
+    if (const auto texels = run.result.footprint.find(light); texels != run.result.footprint.end()) {
         question.footprint = texels->second;
+        if (question.footprint.texel_m > 0) record.counters["texel [m]"] = question.footprint.texel_m;
+        if (question.footprint.texelPerMetre > 0)
+            record.counters["texel per metre from the light"] = question.footprint.texelPerMetre;
+    }
     if (const auto range = run.result.range.find(light); range != run.result.range.end())
         question.inRange =
             inRange(range->second, m_reference->positions(receivers()), m_moved.cameras[std::size_t(m_camera)]);
