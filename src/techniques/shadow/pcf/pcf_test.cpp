@@ -146,7 +146,7 @@ float darkestOfARoof(const std::string& params, float elevation_deg, float azimu
     sun.direction = {std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), -std::sin(up)};
     scene.lights = {sun};
     RenderSettings settings = squareSettings(HalfPlane::kSize_px);
-    settings.shadow = parsePipeline(Family::Shadow, "shadow/pcf:" + params);
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/pcf:crease=0," + params);
     settings.light = "light";
     const RenderResult result = renderFlat(scene, settings);
     const auto plane = result.visibility.begin()->second.plane(0);
