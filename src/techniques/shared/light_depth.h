@@ -34,6 +34,9 @@ public:
     /// Brings it up to date, in a pass of its own where there is something to draw.
     void update(FrameContext& frame, const LightFrame& light, const Options& options);
 
+    /// How often it was drawn: what is made of it is as old as that.
+    std::uint64_t drawn() const { return m_drawnCount; }
+
     /// What update() left: a 2D texture for one view, an array for more. Lookups beyond its border find the farthest
     /// depth where the options have a margin.
     const gl::Texture& map() const { return m_map; }
@@ -75,6 +78,7 @@ private:
     Pose m_pose;  ///< m_views were made for it, and for m_fitted
     Options m_fitted;
     std::optional<Drawn> m_drawn;
+    std::uint64_t m_drawnCount = 0;
     bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
 };
 
