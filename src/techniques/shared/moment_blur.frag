@@ -2,6 +2,9 @@
 // One direction of the blur over a map of moments. RADIUS: texels on either side; ALONG_X: 1 or 0.
 #include "shared/moment_range.glsl"
 #include "shared/moments_of"
+#ifdef MOMENTS_LOG_EXPONENT
+#include "shared/moment_log.glsl"
+#endif
 
 #ifdef SOURCE_ARRAY
 layout(binding = 5) uniform sampler2DArray t_source;
@@ -29,7 +32,16 @@ vec4 momentsAtTexel(int along) {
 
 void main() {
     int middle = int(ALONG_X != 0 ? gl_FragCoord.x : gl_FragCoord.y);
+#ifdef MOMENTS_LOG_EXPONENT
+    vec4 largest = momentsAtTexel(middle);
+    for (int i = 1; i <= RADIUS; ++i) largest = max(largest, max(momentsAtTexel(middle - i), momentsAtTexel(middle + i)));
+    vec4 sum = u_weights[0].x * momentsExp(momentsAtTexel(middle), largest);
+    for (int i = 1; i <= RADIUS; ++i)
+        sum += u_weights[i].x * (momentsExp(momentsAtTexel(middle - i), largest) + momentsExp(momentsAtTexel(middle + i), largest));
+    o_moments = momentsLog(sum, largest);
+#else
     vec4 sum = u_weights[0].x * momentsAtTexel(middle);
     for (int i = 1; i <= RADIUS; ++i) sum += u_weights[i].x * (momentsAtTexel(middle - i) + momentsAtTexel(middle + i));
     o_moments = sum;
+#endif
 }

@@ -35,6 +35,26 @@ glm::vec2 depthRange(const FrameContext& frame, const LightFrame& light, const L
     return {first.near_m, std::max(farthest * 1.001f, first.near_m * 1.01f)};
 }
 
+void setLevels(const gl::Texture& texture, int first, int last) {
+    glTextureParameteri(texture.id(), GL_TEXTURE_BASE_LEVEL, first);
+    glTextureParameteri(texture.id(), GL_TEXTURE_MAX_LEVEL, last);
+}
+
+/// Sums of as many channels as the format has, in full precision.
+GLenum formatBetween(GLenum format) {
+    switch (format) {
+        case GL_R16F:
+        case GL_R32F:
+            return GL_R32F;
+        case GL_RG16:
+        case GL_RG16F:
+        case GL_RG32F:
+            return GL_RG32F;
+        default:
+            return GL_RGBA32F;
+    }
+}
+
 }  // namespace
 
 void MomentMap::reset() {
@@ -89,10 +109,7 @@ void MomentMap::updateMoments(FrameContext& frame, Technique& technique, const M
     m_depth.setPlain();
     drawMoments(frame, technique, statistics);
     if (weights.size() > 1) drawBlur(frame, technique, statistics, weights);
-    if (m_moments.levels() > 1) {
-        const auto pass = frame.pass("mipmaps");
-        m_moments.generateMipmap();
-    }
+    if (m_moments.levels() > 1) drawMipmaps(frame, technique, statistics);
 }
 
 std::vector<std::pair<std::string, std::string>> MomentMap::defines(int sheets) const {
@@ -112,11 +129,7 @@ void MomentMap::drawMoments(FrameContext& frame, Technique& technique, const Sta
     const auto pass = frame.pass("moments");
     gl::apply({});
     m_depth.map().bind(kUnitMoments);
-    const gl::Program& program = frame.program(
-        technique, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/moment_resolve.frag"}},
-        defines(statistics.sheets),
-        {{"shared/moments_of", "#include \"" + statistics.path + "\"\n"}, {"ombrage/per_pass_lookup.glsl", perPass()}});
-    setUniforms(program, statistics);
+    const gl::Program& program = this->program(frame, technique, statistics, "shared/moment_resolve.frag", {});
     const bool isArray = m_moments.desc().kind == gl::TextureKind::Array2D;
     for (int layer = 0; layer < m_moments.desc().layers; ++layer) {
         const gl::Framebuffer target({{&m_moments, 0, isArray ? layer : 0}}, {}, "moments");
@@ -131,22 +144,18 @@ void MomentMap::drawBlur(FrameContext& frame, Technique& technique, const Statis
                          const std::vector<float>& weights) {
     const auto pass = frame.pass("blur");
     gl::apply({});
-    const auto between = frame.targets->take({.format = GL_RGBA32F, .width = m_resolution, .height = m_resolution},
-                                             "moments between blurs");
+    const auto between =
+        frame.targets->take({.format = formatBetween(statistics.format), .width = m_resolution, .height = m_resolution},
+                            "moments between blurs");
     std::vector<glm::vec2> uniformWeights;
     for (float weight : weights) uniformWeights.emplace_back(weight);
     const bool isArray = m_moments.desc().kind == gl::TextureKind::Array2D;
     const auto blur = [&](bool alongX, const gl::Texture& source, const gl::Texture& target, int layer) {
-        auto given = defines(statistics.sheets);
-        given.emplace_back("ALONG_X", alongX ? "1" : "0");
-        given.emplace_back("RADIUS", std::to_string(weights.size() - 1));
+        std::vector<std::pair<std::string, std::string>> given = {{"ALONG_X", alongX ? "1" : "0"},
+                                                                  {"RADIUS", std::to_string(weights.size() - 1)}};
         if (source.desc().kind == gl::TextureKind::Array2D) given.emplace_back("SOURCE_ARRAY", "1");
-        const gl::Program& program = frame.program(
-            technique, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shared/moment_blur.frag"}},
-            std::move(given),
-            {{"shared/moments_of", "#include \"" + statistics.path + "\"\n"},
-             {"ombrage/per_pass_lookup.glsl", perPass()}});
-        setUniforms(program, statistics);
+        const gl::Program& program =
+            this->program(frame, technique, statistics, "shared/moment_blur.frag", std::move(given));
         program.set("u_weights", uniformWeights.data(), int(uniformWeights.size()));
         program.set("u_layer", layer);
         const gl::Framebuffer framebuffer({{&target, 0, &target == &m_moments && isArray ? layer : 0}}, {}, "moments");
@@ -158,6 +167,44 @@ void MomentMap::drawBlur(FrameContext& frame, Technique& technique, const Statis
         blur(true, m_moments, *between, layer);
         blur(false, *between, m_moments, layer);
     }
+}
+
+void MomentMap::drawMipmaps(FrameContext& frame, Technique& technique, const Statistics& statistics) {
+    const auto pass = frame.pass("mipmaps");
+    if (!statistics.logarithmic) {
+        m_moments.generateMipmap();
+        return;
+    }
+    gl::apply({});
+    const bool isArray = m_moments.desc().kind == gl::TextureKind::Array2D;
+    std::vector<std::pair<std::string, std::string>> given;
+    if (isArray) given.emplace_back("SOURCE_ARRAY", "1");
+    const gl::Program& program =
+        this->program(frame, technique, statistics, "shared/moment_mip.frag", std::move(given));
+    m_moments.bind(kUnitMoments);
+    for (int level = 1; level < m_moments.levels(); ++level) {
+        // A level may be drawn while another is read where that one alone is within the sampler's reach.
+        setLevels(m_moments, level - 1, level - 1);
+        for (int layer = 0; layer < m_moments.desc().layers; ++layer) {
+            const gl::Framebuffer target({{&m_moments, level, isArray ? layer : 0}}, {}, "moments");
+            target.bind();
+            program.set("u_layer", layer);
+            frame.drawFullscreen();
+        }
+    }
+    setLevels(m_moments, 0, m_moments.levels() - 1);
+}
+
+const gl::Program& MomentMap::program(FrameContext& frame, Technique& technique, const Statistics& statistics,
+                                      const char* fragmentPath,
+                                      std::vector<std::pair<std::string, std::string>> given) const {
+    for (auto& define : defines(statistics.sheets)) given.push_back(std::move(define));
+    const gl::Program& program = frame.program(
+        technique, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, fragmentPath}},
+        std::move(given),
+        {{"shared/moments_of", "#include \"" + statistics.path + "\"\n"}, {"ombrage/per_pass_lookup.glsl", perPass()}});
+    setUniforms(program, statistics);
+    return program;
 }
 
 std::string MomentMap::perPass() {

@@ -32,6 +32,7 @@ public:
         std::vector<float> read;
         /// Sets uniforms that momentsOf() declares, in the passes of moments and blur and in lookups.
         std::function<void(const gl::Program&)> bind = {};
+        bool logarithmic = false;  ///< `path` defines MOMENTS_LOG_EXPONENT
     };
 
     /// Forgets everything; call when the scene changed.
@@ -81,6 +82,10 @@ private:
     void drawMoments(FrameContext& frame, Technique& technique, const Statistics& statistics);
     void drawBlur(FrameContext& frame, Technique& technique, const Statistics& statistics,
                   const std::vector<float>& weights);
+    void drawMipmaps(FrameContext& frame, Technique& technique, const Statistics& statistics);
+    const gl::Program& program(FrameContext& frame, Technique& technique, const Statistics& statistics,
+                               const char* fragmentPath,
+                               std::vector<std::pair<std::string, std::string>> defines) const;
     void setUniforms(const gl::Program& program, const Statistics& statistics) const;
     static std::string perPass();
     std::vector<std::pair<std::string, std::string>> defines(int sheets) const;
