@@ -22,6 +22,8 @@ struct VsmParams : MomentMapParams {
     VsmBits bits = VsmBits::Float32;
     float minDeviation_texels = 0.25f;
 
+    VsmParams() { bleeding = 0.2f; }
+
     static ParamTable describe() {
         using P = VsmParams;
         return momentTable(
