@@ -118,10 +118,14 @@ std::vector<std::pair<std::string, std::string>> MomentMap::defines(int sheets) 
     return defines;
 }
 
-void MomentMap::setUniforms(const gl::Program& program, const Statistics& statistics) const {
+void MomentMap::setUniforms(const gl::Program& program) const {
     m_depth.views().setUniforms(program);
     program.set("u_momentRange", glm::vec4(0.5f * (m_range_m.x + m_range_m.y), 2.0f / (m_range_m.y - m_range_m.x),
                                            m_variance_texels, m_reach_texels));
+}
+
+void MomentMap::setUniforms(const gl::Program& program, const Statistics& statistics) const {
+    setUniforms(program);
     if (statistics.bind) statistics.bind(program);
 }
 

@@ -92,6 +92,7 @@ bool momentPoint(vec3 p_world, vec3 n_world, out MomentPoint m) {
     return true;
 }
 
+// One lookup, so far beside the point: the footprint is covered by `lookups` of them, `along` apart.
 vec4 momentsBeside(MomentPoint m, vec2 beside, int sheet) {
 #if LIGHT_VIEWS * MOMENT_SHEETS == 1
     return textureLod(t_moments, m.uv + beside, m.level);

@@ -55,6 +55,9 @@ public:
     /// Offers "light-depth" and "moments" (level 0 of the first layer) to --show.
     void exposeTo(FrameContext& frame) const;
 
+    /// The uniforms of shared/moment_range.glsl, for passes of the technique's own between the two halves.
+    void setUniforms(const gl::Program& program) const;
+
     const LightDepth& depth() const { return m_depth; }
     /// What updateMoments() left: a 2D texture, or an array with layer view * sheets + sheet.
     const gl::Texture& moments() const { return m_moments; }
