@@ -6,7 +6,7 @@
 
 namespace ombrage {
 
-ParamTable momentTable(const std::vector<ParamField>& own) {
+ParamTable momentTable(const std::vector<ParamField>& own, const MomentMapParams& defaults) {
     using P = MomentMapParams;
     std::vector<ParamField> all = {
         field(&P::kernel_texels, "kernel", Unit::Texel)
@@ -32,6 +32,7 @@ ParamTable momentTable(const std::vector<ParamField>& own) {
             .tune(0, 0.6)
             .help("Visibility up to which a point counts as in shadow; what is above is stretched: less light through "
                   "overlapping casters, harder and wider shadows.")};
+    for (ParamField& shared : all) shared.info.defaultValue = shared.get(&defaults);
     all.insert(all.end(), own.begin(), own.end());
     return mapTable(all);
 }

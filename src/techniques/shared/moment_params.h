@@ -27,8 +27,8 @@ struct MomentMapParams : MapParams {
     float bleeding = 0.0f;
 };
 
-/// Their declarations, followed by those of the technique.
-ParamTable momentTable(const std::vector<ParamField>& own = {});
+/// Their declarations, with `defaults` as defaults, followed by those of the technique.
+ParamTable momentTable(const std::vector<ParamField>& own = {}, const MomentMapParams& defaults = {});
 
 /// Weights of the texels at 0, 1, 2, ... beside the middle, one side of a symmetric filter: the shape's share over each
 /// texel, cut off at half the width. The middle and twice the rest sum to 1.
