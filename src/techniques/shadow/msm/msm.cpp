@@ -2,6 +2,7 @@
 // shadow/msm: moment shadow maps (Peters, Klein 2015).
 #include "render/frame_context.h"
 #include "render/technique.h"
+#include "techniques/shadow/msm/quantisation.h"
 #include "techniques/shared/moment_map.h"
 
 namespace ombrage {
@@ -55,15 +56,30 @@ struct MsmParams : MomentMapParams {
     }
 };
 
+glm::vec4 rows(const glm::dvec2& first, const glm::dvec2& second) {
+    return glm::vec4(glm::vec2(first), glm::vec2(second));
+}
+
+void bindQuantisation(const gl::Program& program) {
+    static const msm::Quantisation kForm = msm::quantisation();
+    static const glm::dmat2 kOddBack = msm::inverseRows(kForm.odd), kEvenBack = msm::inverseRows(kForm.even);
+    program.set("u_odd", rows(kForm.odd[0], kForm.odd[1]));
+    program.set("u_even", rows(kForm.even[0], kForm.even[1]));
+    program.set("u_oddBack", rows(kOddBack[0], kOddBack[1]));
+    program.set("u_evenBack", rows(kEvenBack[0], kEvenBack[1]));
+}
+
 class MomentShadowMap final : public ShadowLookupTechniqueOf<MsmParams> {
 public:
     void prepare(FrameContext&) override { m_map.reset(); }
     void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
 
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
+        const bool isFloat = p().bits == MsmBits::Float32;
         m_map.update(frame, *this, light, p(),
                      {.path = "shadow/msm/msm_moments.glsl",
-                      .format = GLenum(p().bits == MsmBits::Float32 ? GL_RGBA32F : GL_RGBA16)});
+                      .format = GLenum(isFloat ? GL_RGBA32F : GL_RGBA16),
+                      .bind = isFloat ? std::function<void(const gl::Program&)>() : bindQuantisation});
         m_range = m_map.shadowRange(frame);
         m_map.exposeTo(frame);
         return m_map.lookup("shadow/msm/msm.glsl");
@@ -86,7 +102,7 @@ OMBRAGE_TECHNIQUE(
      .summary =
          "Four moments of the depths under a filter give the sharpest bound on the share of them that is lit: exact up "
          "to two depths, in 64 bits a texel.",
-     .papers = {"peters2015msm"},
+     .papers = {"peters2015msm", "peters2017improved"},
      .limits =
          "Light comes through where more than two depths lie under the filter; the blur has one width, and contacts "
          "lose their shadow within it.",
