@@ -26,7 +26,9 @@ namespace {
 
 struct EsmParams : MomentMapParams {
     EsmSpace space = EsmSpace::Log;
-    float exponent = 400.0f;
+    float exponent = 100.0f;
+
+    EsmParams() { bleeding = 0.1f; }
 
     static ParamTable describe() {
         using P = EsmParams;
@@ -37,9 +39,9 @@ struct EsmParams : MomentMapParams {
                        "paper, for exponents up to 87, and larger ones count as that."),
              field(&P::exponent, "exponent")
                  .range(1, 2000, Scale::Log)
-                 .tune(40, 1000)
-                 .help("Sharpness over half the range of depths: larger, less light near contacts and harder "
-                       "edges.")});
+                 .tune(40, 400)
+                 .help("Sharpness over half the range of depths: larger, less light near contacts, and "
+                       "more where the light grazes.")});
     }
 };
 
