@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "metrics/error_classes.h"
 #include "techniques/shadow/msm/quantisation.h"
+#include "techniques/technique_case.h"
 #include "techniques/two_sheets_scene.h"
 
 namespace ombrage {
@@ -250,6 +252,34 @@ TEST(MomentShadowMap, LeaksLessThanVarianceUnderTwoCasters) {
     const double variance = total(TwoSheets::plain("shadow/vsm", ",bits=32f"));
     EXPECT_GT(variance, 1);
     EXPECT_LT(total(plain(",bits=16")), 0.25 * variance);
+}
+
+Metrics measuredOn(const std::string& scene, const std::string& technique) {
+    test::Bench& bench = test::Bench::of(scene);
+    RenderSettings settings;
+    settings.width = test::kWidth;
+    settings.height = test::kHeight;
+    settings.light = "lamp";
+    settings.shadow = parsePipeline(Family::Shadow, technique);
+    const RenderResult result = test::renderScene(bench.scene(), settings);
+    ShadowQuestion question;
+    question.features = &bench.features("", "lamp");
+    question.footprint = result.footprint.begin()->second;
+    return measureShadow(test::measuredPlane(result, Family::Shadow), bench.shadow("", "lamp", 0), bench.receivers(""),
+                         question)
+        .metrics;
+}
+
+// Two casters and a floor are what four moments can tell apart, three are not: with a wide filter light comes through.
+TEST(MomentShadowMap, LeaksUnderThreeCastersButNotUnderTwo) {
+    const Metrics two = measuredOn("two-casters", "shadow/msm:kernel=31"),
+                  three = measuredOn("three-casters", "shadow/msm:kernel=31"),
+                  variance = measuredOn("two-casters", "shadow/vsm:kernel=31,bleeding=0");
+    EXPECT_GT(*variance.at("leak"), 0.001);
+    // Two or three pixels, where a slab's side is a third depth.
+    EXPECT_LT(*two.at("leak"), 4e-5);
+    EXPECT_GT(*three.at("leak"), 8e-5);
+    EXPECT_LT(*two.at("leak_mass"), 0.25 * *variance.at("leak_mass"));
 }
 
 }  // namespace

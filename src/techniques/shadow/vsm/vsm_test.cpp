@@ -85,7 +85,7 @@ TEST(VarianceShadowMap, BleedingReductionStretchesWhatIsAbove) {
 
 TEST(MomentMaps, CastersWithoutNumbersLeaveThemAlone) {
     constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
-    for (const char* technique : {"shadow/vsm", "shadow/esm", "shadow/evsm", "shadow/lvsm"}) {
+    for (const char* technique : {"shadow/vsm", "shadow/esm", "shadow/evsm", "shadow/lvsm", "shadow/msm"}) {
         const std::vector<float> sound = test::TwoSheets(false).picture(technique);
         for (const float broken : {kNan, kInf, -kInf, 3e38f}) {
             test::TwoSheets sheets(false);
