@@ -102,7 +102,7 @@ OMBRAGE_TECHNIQUE(
      .summary =
          "Four moments of the depths under a filter give the sharpest bound on the share of them that is lit: exact up "
          "to two depths, in 64 bits a texel.",
-     .papers = {"peters2015msm", "peters2017improved"},
+     .papers = {"peters2015msm"},
      .limits =
          "Light comes through where more than two depths lie under the filter; the blur has one width, and contacts "
          "lose their shadow within it.",

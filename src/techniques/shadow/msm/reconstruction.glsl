@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The largest share of depths at z0 or beyond that four moments allow (Peters, Klein 2015, section 3).
+// The largest share of depths at z0 or beyond that four moments allow (Peters, Klein 2015, section 4).
 
 // Standard deviation and mean, and what tells a distribution of that shape from others: skewness, and how much larger its kurtosis is
 // than that of two depths.
@@ -39,7 +39,7 @@ vec2 depthsBeside(MomentShape shape, float x0) {
     return vec2(min(roots.x, roots.y), max(roots.x, roots.y));
 }
 
-// Algorithm 3: depths may be any number.
+// Depths may be any number (section 4.1).
 float hamburgerBound(vec4 moments, float z0) {
     MomentShape shape = momentShape(moments);
     float x0 = (z0 - shape.mean) / shape.deviation;
@@ -48,7 +48,7 @@ float hamburgerBound(vec4 moments, float z0) {
     return x0 > beside.x ? 1.0 - shareAt(shape, beside.x) : 1.0;
 }
 
-// Algorithm 4: depths lie in [-1,1]. Where one of Hamburger's does not, both ends of the range, z0 and one depth between take their place.
+// Depths lie in [-1,1]. Where one of Hamburger's does not, both ends of the range, z0 and one depth between take their place.
 float hausdorffBound(vec4 moments, float z0) {
     MomentShape shape = momentShape(moments);
     float x0 = (z0 - shape.mean) / shape.deviation;
