@@ -104,6 +104,7 @@ void LightDepth::update(FrameContext& frame, const LightFrame& light, const Opti
     const auto pass = frame.pass("light depth");
     drawLightDepth(frame, light, *m_views, m_map, options.cull);
     m_drawn = {*m_views, options, casterPlacements(frame)};
+    ++m_version;
 }
 
 }  // namespace ombrage

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,9 @@ public:
     /// Or as it is, as after update().
     void setPlain();
 
+    /// Counts the times that the map was drawn: what is made of it is kept while this stays the same.
+    std::uint64_t version() const { return m_version; }
+
     const LightViews& views() const { return *m_views; }
     /// What a program that includes shared/light_views.glsl for this map is compiled for.
     std::vector<std::pair<std::string, std::string>> defines() const;
@@ -75,6 +79,7 @@ private:
     Pose m_pose;  ///< m_views were made for it, and for m_fitted
     Options m_fitted;
     std::optional<Drawn> m_drawn;
+    std::uint64_t m_version = 0;
     bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
 };
 
