@@ -66,11 +66,16 @@ Texel texelAt(MapPoint at, LightInMap seen, vec2 offset_texels, float resolution
     Texel texel;
     vec2 center = (floor(at.uv * resolution + offset_texels) + 0.5) * perResolution;
     vec2 beside = (center - at.uv) * resolution;
-    float stored = MAP_AT(center, at.view);
-    texel.isNearer = stored > mapReference(at, center, abs(beside));
-    texel.closer = closenessOfDepth(at.view, stored) - seen.closeness;
+    float compared_m = mapDistance(at, center, abs(beside));
+    float closeness = closenessOfDepth(at.view, MAP_AT(center, at.view));
+    texel.closer = closeness - seen.closeness;
+    texel.isNearer = closeness > closenessAt(compared_m);
 #if BLOCKERS == BLOCKERS_CONE
-    texel.isBlocker = texel.isNearer && isBeforeLight(seen, beside, texel.closer, params.min_radius);
+    // The nearest texel stands for what lies about the receiver, and so do those beside it within the narrowest filter; but not for the other
+    // surface of a corner, which at a right angle rises by slope + 1/slope for each unit aside.
+    float rise = max(abs(beside.x), abs(beside.y)) > 0.5 ? min(at.slope + 1.0 / max(at.slope, 1e-3), params.max_slope) * length(beside) : 0.0;
+    bool isAbove = closeness > closenessAt(compared_m - rise * at.texel_m);
+    texel.isBlocker = texel.isNearer && isBeforeLight(seen, beside, texel.closer, isAbove ? params.min_radius : 0.0);
 #else
     texel.isBlocker = texel.isNearer;
 #endif
@@ -139,7 +144,7 @@ Penumbra penumbraAt(vec3 p_world, vec3 n_world) {
     for (int i = 0; i < samples; ++i) {
         vec2 u = onOutline(u_filterDisk[i], turned);
         if (aboveHorizon(shape, n_world, u) <= 0.0) continue;
-        lit += texelAt(at, seen, texelsOf(seen, u, closer), resolution, perResolution).isBlocker ? 0.0 : 1.0;
+        lit += texelAt(at, seen, texelsOf(seen, u, closer), resolution, perResolution).isNearer ? 0.0 : 1.0;
     }
     if (samples > 0)
         found.visibility = lit / float(FILTER_SAMPLES);
