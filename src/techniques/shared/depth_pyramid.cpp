@@ -17,8 +17,9 @@ void DepthPyramid::update(FrameContext& frame, const LightDepth& depth) {
     const auto pass = frame.pass("depth pyramid");
     const bool layered = desc.kind == gl::TextureKind::Array2D;
     for (int level = 0; level < m_levels.levels(); ++level) {
-        const gl::Program& program = frame.program({{GL_COMPUTE_SHADER, "shared/depth_pyramid.comp"}},
-                                                   {{"OF_MAP", level == 0 ? "1" : "0"}, {"LAYERED", layered ? "1" : "0"}});
+        const gl::Program& program =
+            frame.program({{GL_COMPUTE_SHADER, "shared/depth_pyramid.comp"}},
+                          {{"OF_MAP", level == 0 ? "1" : "0"}, {"LAYERED", layered ? "1" : "0"}});
         program.set("u_level", level - 1);
         (level == 0 ? map : m_levels).bind(kFirstFreeUnit);
         m_levels.bindImage(0, GL_WRITE_ONLY, level);

@@ -5,8 +5,8 @@
 
 namespace ombrage {
 
-/// The nearest and the farthest depth of a light's map in ever larger squares: mip levels, of which the first covers two
-/// by two texels (Guennebaud, Barthe and Paulin 2006, section 4.2). shared/depth_pyramid.glsl reads it.
+/// The nearest and the farthest depth of a light's map in ever larger squares: mip levels, of which the first covers
+/// two by two texels (Guennebaud, Barthe and Paulin 2006, section 4.2). shared/depth_pyramid.glsl reads it.
 class DepthPyramid {
 public:
     /// Makes it anew, in a pass of its own, where the map was drawn since.

@@ -122,7 +122,7 @@ private:
         if (!m_isSoft) return;
         m_pyramid.texture().bind(kPyramidUnit);
         program.set("u_maxRadius_texels", m_maxRadius_texels);
-        const std::vector<glm::vec2> search = points(p().blockerSamples), filter = points(p().filterSamples);
+        const std::vector<glm::vec2> search = searchPoints(), filter = onLight(disk(p().filterSamples));
         program.set("u_searchDisk", search.data(), int(search.size()));
         program.set("u_filterDisk", filter.data(), int(filter.size()));
         if (p().rotation != DiskRotation::BlueNoise) return;
@@ -130,12 +130,23 @@ private:
         m_blueNoise.bind(kNoiseUnit);
     }
 
-    /// Of the unit disk; for a rect in polar coordinates, the angle in turns.
-    std::vector<glm::vec2> points(int count) const {
-        std::vector<glm::vec2> points = p().kernel == PcssKernel::Vogel ? vogelDisk(count) : poissonDisk(count);
+    std::vector<glm::vec2> disk(int count) const {
+        return p().kernel == PcssKernel::Vogel ? vogelDisk(count) : poissonDisk(count);
+    }
+
+    /// The closer a blocker is to the receiver, the smaller a part of the region shows what of it is before the light:
+    /// the points stand as dense along the radius as across it, and the first looks where the light's centre is.
+    std::vector<glm::vec2> searchPoints() const {
+        std::vector<glm::vec2> points = disk(p().blockerSamples);
+        for (glm::vec2& point : points) point *= glm::length(point);
+        points.front() = glm::vec2(0.0f);
+        return onLight(points);
+    }
+
+    /// For a rect in polar coordinates, the angle in turns.
+    std::vector<glm::vec2> onLight(std::vector<glm::vec2> points) const {
         if (!m_isRect) return points;
-        for (glm::vec2& point : points)
-            point = {glm::length(point), std::atan2(point.y, point.x) / 6.28318531f + 1.0f};
+        for (glm::vec2& point : points) point = {glm::length(point), std::atan2(point.y, point.x) / 6.28318531f + 1.0f};
         return points;
     }
 
@@ -175,11 +186,13 @@ private:
 OMBRAGE_TECHNIQUE(
     shadow, pcss, Pcss,
     {.title = "Percentage-closer soft shadows",
-     .summary = "A shadow map filtered as widely as the penumbra, which the blockers found about each point tell: sharp "
-                "at the contact, soft away from it.",
+     .summary =
+         "A shadow map filtered as widely as the penumbra, which the blockers found about each point tell: sharp "
+         "at the contact, soft away from it.",
      .papers = {"fernando2005pcss", "guennebaud2006backprojection", "shirley1997map"},
-     .limits = "One mean blocker stands for all, so penumbrae that overlap have one width; what the light's centre does "
-               "not see blocks nothing.",
+     .limits =
+         "One mean blocker stands for all, so penumbrae that overlap have one width; what the light's centre does "
+         "not see blocks nothing.",
      .domain = {.rect = true, .soft = true},
      .passes = {{"light-depth", "depth seen from the light (the first of six views for a point light)"},
                 {kBlockerDepth, "mean distance of the blockers from the light along the view's axis, in metres"},
