@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A light with a size as a receiver sees it through the light's map. Include shared/map_point.glsl first.
+// A light with a size as a receiver sees it through the light's map. Include shared/map_point.glsl first, and define PYRAMID_BINDING.
 //
 // Closeness is the measure of depth along the view's axis in which everything is linear: 1/z for perspective views, -z for orthographic ones.
 // The ray from the receiver to a point of the light leaves, at a closeness c, the receiver's place in the map by a distance that grows in
 // proportion to c - c_receiver: Fernando's similar triangles, light size * (d_receiver - d_blocker) / d_blocker.
+#include "shared/depth_pyramid.glsl"
 #include "shared/light_sampling.glsl"
 
 // The light's outline, a disk (|u| <= 1) or a rectangle (max |u| <= 1), about the light's centre. Spheres and suns are the disk that their cone of
@@ -106,4 +107,20 @@ bool isBeforeLight(LightInMap seen, vec2 beside, float closer, float margin_texe
     vec2 w = seen.lightFromTexels * (beside * (max(apart - margin_texels, 0.0) / max(apart, 1e-6)));
     // u = w / (closer + tilt.w), without the division.
     return outlineNorm(w) <= max(closer + dot(seen.tilt, w), 0.0);
+}
+
+// How much closer to the light than the receiver the nearest can be that lies between it and the light. What is nearest in the whole map
+// says how far from the receiver to look, and what is nearest there says it better (Guennebaud et al. 2006, section 4.2).
+// @param limit of the answer; @param margin_texels to look farther
+float nearestBeforeLight(MapPoint at, LightInMap seen, float resolution, float limit, float margin_texels) {
+    float closer = min(closenessOfDepth(at.view, pyramidTop(at.view).x) - seen.closeness, limit);
+    vec2 here = at.uv * resolution;
+    for (int i = 0; i < 4 && closer > 0.0; ++i) {
+        vec2 reach = seen.extent_texels * closer + margin_texels;
+        float there = closenessOfDepth(at.view, pyramidAround(at.view, here - reach, here + reach).x) - seen.closeness;
+        bool isMuchLess = there < 0.8 * closer;
+        closer = min(closer, there);
+        if (!isMuchLess) break;
+    }
+    return closer;
 }

@@ -32,9 +32,8 @@ Penumbra penumbraAt(vec3 p_world, vec3 n_world) {
     return Penumbra(isLit ? 1.0 : 0.0, 0.0, 0.0, 0.0);
 }
 #else
-#include "shared/soft_light.glsl"
 #define PYRAMID_BINDING 6
-#include "shared/depth_pyramid.glsl"
+#include "shared/soft_light.glsl"
 #define TURN_BINDING 7
 #include "shared/disk_turn.glsl"
 
@@ -82,21 +81,6 @@ Texel texelAt(MapPoint at, LightInMap seen, vec2 offset_texels, float resolution
     return texel;
 }
 
-// How much closer to the light than the receiver the nearest can be that lies between it and the light. What is nearest in the whole map
-// says how far from the receiver to look, and what is nearest there says it better (Guennebaud et al. 2006, section 4.2).
-float searchCloseness(MapPoint at, LightInMap seen, float resolution, float limit) {
-    float closer = min(closenessOfDepth(at.view, pyramidTop(at.view).x) - seen.closeness, limit);
-    vec2 here = at.uv * resolution;
-    for (int i = 0; i < 4 && closer > 0.0; ++i) {
-        vec2 reach = seen.extent_texels * closer + params.min_radius;
-        float there = closenessOfDepth(at.view, pyramidAround(at.view, here - reach, here + reach).x) - seen.closeness;
-        bool isMuchLess = there < 0.8 * closer;
-        closer = min(closer, there);
-        if (!isMuchLess) break;
-    }
-    return closer;
-}
-
 // The part of the light above the receiver's plane.
 float shareAboveHorizon(LightShape shape, vec3 n_world, vec2 turned) {
     float above = 0.0;
@@ -121,7 +105,7 @@ Penumbra penumbraAt(vec3 p_world, vec3 n_world) {
     float least = params.min_radius / radius_texels;
 
     // Blocker search: the mean of how much closer to the light they are, for that is what the penumbra's width is proportional to.
-    float search = max(searchCloseness(at, seen, resolution, limit), least);
+    float search = max(nearestBeforeLight(at, seen, resolution, limit, params.min_radius), least);
     float blockers = 0.0, nearer = 0.0, sum = 0.0;
     for (int i = 0; i < BLOCKER_SAMPLES; ++i) {
         vec2 offset = texelsOf(seen, onOutline(u_searchDisk[i], turned), search);
