@@ -5,8 +5,10 @@
 
 namespace ombrage {
 
-/// The nearest and the farthest depth of a light's map in ever larger squares: mip levels, of which the first covers
-/// two by two texels (Guennebaud, Barthe and Paulin 2006, section 4.2). shared/depth_pyramid.glsl reads it.
+/// The nearest and the farthest depth of a light's map in ever larger squares: levels, of which the first covers two by
+/// two texels (Guennebaud, Barthe and Paulin 2006, section 4.2). shared/depth_pyramid.glsl reads it. They stand side by
+/// side in one level of a texture: some drivers (llvmpipe) take one level of detail for each two by two pixels, whoever
+/// of them asks.
 class DepthPyramid {
 public:
     /// Makes it anew, in a pass of its own, where the map was drawn since.

@@ -117,7 +117,7 @@ float nearestBeforeLight(MapPoint at, LightInMap seen, float resolution, float l
     vec2 here = at.uv * resolution;
     for (int i = 0; i < 4 && closer > 0.0; ++i) {
         vec2 reach = seen.extent_texels * closer + margin_texels;
-        float there = closenessOfDepth(at.view, pyramidAround(at.view, here - reach, here + reach).x) - seen.closeness;
+        float there = closenessOfDepth(at.view, pyramidAround(at.view, here - reach, here + reach, resolution).x) - seen.closeness;
         bool isMuchLess = there < 0.8 * closer;
         closer = min(closer, there);
         if (!isMuchLess) break;

@@ -86,7 +86,9 @@ float shareAboveHorizon(LightShape shape, vec3 n_world) {
     vec2 g = abs(vec2(dot(n_world, shape.axisX), dot(n_world, shape.axisY)));
     float h = dot(n_world, shape.toCentre);
     if (LIGHT_IS(LIGHT_RECT)) {
-        g = max(g, 1e-4 * (g.x + g.y) + 1e-12);
+        // Of a square on one side of a line; squares of what is far from the line would cancel each other out.
+        if (abs(h) >= g.x + g.y) return h > 0.0 ? 1.0 : 0.0;
+        g = max(g, 1e-3 * (g.x + g.y));
         float above = halfSquare(h + g.x + g.y) - halfSquare(h + g.x - g.y) - halfSquare(h - g.x + g.y) + halfSquare(h - g.x - g.y);
         return clamp(above / (4.0 * g.x * g.y), 0.0, 1.0);
     }
@@ -97,9 +99,7 @@ float shareAboveHorizon(LightShape shape, vec3 n_world) {
 // Closeness of a square of the map, 2^level texels wide: of what is nearest in it.
 float closenessOfSquare(MapPoint at, ivec2 square, int level, float perResolution) {
     if (level == 0) return closenessOfDepth(at.view, MAP_AT((vec2(square) + 0.5) * perResolution, at.view));
-    ivec2 size = textureSize(t_pyramid, level - 1).xy;
-    if (any(lessThan(square, ivec2(0))) || any(greaterThanEqual(square, size))) return closenessOfDepth(at.view, 0.0);
-    return closenessOfDepth(at.view, texelFetch(t_pyramid, PYRAMID_AT(square, at.view), level - 1).r);
+    return closenessOfDepth(at.view, pyramidSquare(at.view, level - 1, square).x);
 }
 
 // Where a place of the map is seen on the plane of the outline from the receiver, past what is so much closer to the light.
@@ -110,15 +110,16 @@ float backprojectionScale(LightInMap seen, vec2 beside, float closer) {
 }
 
 // What a square hides of the outline.
-float hiddenBy(MapPoint at, LightInMap seen, Outline outline, ivec2 square, int level, vec2 here, float perResolution) {
+// @param isSeen by the light's centre
+float hiddenBy(MapPoint at, LightInMap seen, Outline outline, bool isSeen, ivec2 square, int level, vec2 here, float perResolution) {
     float size = exp2(float(level));
     vec2 lower = vec2(square) * size - here, upper = lower + size, beside = lower + 0.5 * size;
     float closeness = closenessOfSquare(at, square, level, perResolution), closer = closeness - seen.closeness;
-    // It must be above the receiver's plane, wherever in the square that is nearest to the light; next to the receiver's own texel also above the
-    // other surface of a corner, which at a right angle rises by slope + 1/slope for each unit aside.
+    // It must be above the receiver's plane, wherever in the square that is nearest to the light; beside the texel of a receiver that the light's
+    // centre sees also above the other surface of a corner, which at a right angle rises by slope + 1/slope for each unit aside.
     float compared_m = mapDistance(at, (here + beside) * perResolution, abs(beside)) - 0.70710678 * (size - 1.0) * at.slope * at.texel_m;
     float aside = max(abs(beside.x), abs(beside.y));
-    if (aside > 0.5 && aside < 1.5 && level == 0) compared_m -= min(at.slope + 1.0 / max(at.slope, 1e-3), params.max_slope) * length(beside) * at.texel_m;
+    if (isSeen && aside > 0.5 && aside < 1.5 && level == 0) compared_m -= min(at.slope + 1.0 / max(at.slope, 1e-3), params.max_slope) * length(beside) * at.texel_m;
     float plane = closenessAt(compared_m);
     if (closeness <= plane || closer <= 0.0) return 0.0;
 
@@ -128,16 +129,8 @@ float hiddenBy(MapPoint at, LightInMap seen, Outline outline, ivec2 square, int 
     // Up to the edges of the squares to the left and below, so that no light comes through between them (section 3.3).
     float left = closenessOfSquare(at, square - ivec2(1, 0), level, perResolution);
     float below = closenessOfSquare(at, square - ivec2(0, 1), level, perResolution);
-    if (left > plane && left > seen.closeness) {
-        float edge = lower.x * backprojectionScale(seen, beside, left - seen.closeness);
-        from.x = min(from.x, edge);
-        to.x = max(to.x, edge);
-    }
-    if (below > plane && below > seen.closeness) {
-        float edge = lower.y * backprojectionScale(seen, beside, below - seen.closeness);
-        from.y = min(from.y, edge);
-        to.y = max(to.y, edge);
-    }
+    if (left > plane && left > seen.closeness) from.x = min(from.x, lower.x * backprojectionScale(seen, beside, left - seen.closeness));
+    if (below > plane && below > seen.closeness) from.y = min(from.y, lower.y * backprojectionScale(seen, beside, below - seen.closeness));
 #endif
     return areaWithin(outline, from, to);
 }
@@ -158,22 +151,24 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
     // Squares of one texel about the receiver, of two around those, and so on: what is far from it in the map is before the light only if it is
     // as much closer to the light, and large squares are small there.
     Outline outline = outlineIn(seen);
-    vec2 here = at.uv * resolution, reach = seen.extent_texels * closer + 0.5;
+    vec2 here = at.uv * resolution, reach = seen.extent_texels * closer + 0.5, center = (floor(here) + 0.5) * perResolution;
+    bool isSeen = closenessAt(mapDistance(at, center, abs(center - at.uv) * resolution)) >= closenessOfDepth(at.view, MAP_AT(center, at.view));
     float hidden = 0.0;
     ivec2 innerFrom = ivec2(0), innerTo = ivec2(0);
     bool isWhole = false;
     for (int level = 0; !isWhole && hidden < outline.area; ++level) {
         float perSquare = exp2(-float(level));
         ivec2 from = 2 * ivec2(floor(here * perSquare * 0.5)) - u_across / 2, to = from + u_across;
-        ivec2 first = max(from, ivec2(floor((here - reach) * perSquare))), last = min(to, ivec2(floor((here + reach) * perSquare)) + 1);
+        ivec2 least = ivec2(floor(max(here - reach, vec2(0.0)) * perSquare)), most = ivec2(floor(min(here + reach, vec2(resolution - 1.0)) * perSquare)) + 1;
+        ivec2 first = max(from, least), last = min(to, most);
         for (int y = first.y; y < last.y; ++y)
             for (int x = first.x; x < last.x; ++x) {
                 ivec2 square = ivec2(x, y);
                 if (all(greaterThanEqual(square, innerFrom)) && all(lessThan(square, innerTo))) continue;
-                hidden += hiddenBy(at, seen, outline, square, level, here, perResolution);
+                hidden += hiddenBy(at, seen, outline, isSeen, square, level, here, perResolution);
                 lookups += 1.0;
             }
-        isWhole = all(greaterThan(first, from)) && all(lessThan(last, to));
+        isWhole = all(greaterThanEqual(least, from)) && all(lessThanEqual(most, to));
         innerFrom = from / 2;
         innerTo = to / 2;
     }
