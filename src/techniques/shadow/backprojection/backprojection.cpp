@@ -35,7 +35,7 @@ constexpr const char* kLookups = "lookups";
 struct BackprojectionParams : MapParams {
     SquaresAcross across = SquaresAcross::Sixteen;
     SquareGaps gaps = SquareGaps::Closed;
-    int maxRadius_texels = 64;
+    int maxRadius_texels = 128;
 
     static ParamTable describe() {
         using P = BackprojectionParams;
@@ -52,8 +52,9 @@ struct BackprojectionParams : MapParams {
                  .range(1, 1024)
                  .tune(16, 256)
                  .effect(ParamEffect::Host)
-                 .help("How far from the receiver's place in the map occluders are looked for; beyond, they hide "
-                       "nothing. The six views of a point light overlap by as much, up to a quarter of them.")});
+                 .help("How far from the receiver's place in the map occluders are looked for; a light that needs more "
+                       "counts as a smaller one. The six views of a point light overlap by as much, up to a sixteenth "
+                       "of their width.")});
     }
 };
 
@@ -68,7 +69,7 @@ public:
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         m_isSoft = light.light->hasSize();
         LightDepth::Options options = p().depthOptions();
-        if (m_isSoft) options.margin_texels = std::min(p().maxRadius_texels + 2, p().resolution / 4);
+        if (m_isSoft) options.margin_texels = std::min(p().maxRadius_texels + 2, p().resolution / 16);
         m_depth.update(frame, light, options);
         m_depth.setPlain();
         m_maxRadius_texels = float(p().maxRadius_texels);

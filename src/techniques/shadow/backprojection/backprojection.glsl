@@ -96,10 +96,11 @@ float shareAboveHorizon(LightShape shape, vec3 n_world) {
     return 1.0 - (acos(u) - u * sqrt(max(1.0 - u * u, 0.0))) / 3.14159265;
 }
 
-// Closeness of a square of the map, 2^level texels wide: of what is nearest in it.
-float closenessOfSquare(MapPoint at, ivec2 square, int level, float perResolution) {
-    if (level == 0) return closenessOfDepth(at.view, MAP_AT((vec2(square) + 0.5) * perResolution, at.view));
-    return closenessOfDepth(at.view, pyramidSquare(at.view, level - 1, square).x);
+// Closeness of a square of the map, 2^level texels wide: of what is nearest in it and farthest.
+vec2 closenessOfSquare(MapPoint at, ivec2 square, int level, float perResolution) {
+    if (level == 0) return vec2(closenessOfDepth(at.view, MAP_AT((vec2(square) + 0.5) * perResolution, at.view)));
+    vec2 range = pyramidSquare(at.view, level - 1, square);
+    return vec2(closenessOfDepth(at.view, range.x), closenessOfDepth(at.view, range.y));
 }
 
 // Where a place of the map is seen on the plane of the outline from the receiver, past what is so much closer to the light.
@@ -114,25 +115,28 @@ float backprojectionScale(LightInMap seen, vec2 beside, float closer) {
 float hiddenBy(MapPoint at, LightInMap seen, Outline outline, bool isSeen, ivec2 square, int level, vec2 here, float perResolution) {
     float size = exp2(float(level));
     vec2 lower = vec2(square) * size - here, upper = lower + size, beside = lower + 0.5 * size;
-    float closeness = closenessOfSquare(at, square, level, perResolution), closer = closeness - seen.closeness;
+    vec2 closeness = closenessOfSquare(at, square, level, perResolution);
     // It must be above the receiver's plane, wherever in the square that is nearest to the light; beside the texel of a receiver that the light's
     // centre sees also above the other surface of a corner, which at a right angle rises by slope + 1/slope for each unit aside.
     float compared_m = mapDistance(at, (here + beside) * perResolution, abs(beside)) - 0.70710678 * (size - 1.0) * at.slope * at.texel_m;
     float aside = max(abs(beside.x), abs(beside.y));
     if (isSeen && aside > 0.5 && aside < 1.5 && level == 0) compared_m -= min(at.slope + 1.0 / max(at.slope, 1e-3), params.max_slope) * length(beside) * at.texel_m;
     float plane = closenessAt(compared_m);
-    if (closeness <= plane || closer <= 0.0) return 0.0;
+    if (closeness.x <= plane || closeness.x <= seen.closeness) return 0.0;
+    // All of a large square is as close as the middle of it; of one that is blocked in part a half is.
+    bool isFull = closeness.y > plane && closeness.y > seen.closeness;
+    float closer = (isFull ? 0.5 * (closeness.x + closeness.y) : closeness.x) - seen.closeness;
 
     float scale = backprojectionScale(seen, beside, closer);
     vec2 from = lower * scale, to = upper * scale;
 #if GAPS == GAPS_CLOSED
     // Up to the edges of the squares to the left and below, so that no light comes through between them (section 3.3).
-    float left = closenessOfSquare(at, square - ivec2(1, 0), level, perResolution);
-    float below = closenessOfSquare(at, square - ivec2(0, 1), level, perResolution);
+    float left = closenessOfSquare(at, square - ivec2(1, 0), level, perResolution).x;
+    float below = closenessOfSquare(at, square - ivec2(0, 1), level, perResolution).x;
     if (left > plane && left > seen.closeness) from.x = min(from.x, lower.x * backprojectionScale(seen, beside, left - seen.closeness));
     if (below > plane && below > seen.closeness) from.y = min(from.y, lower.y * backprojectionScale(seen, beside, below - seen.closeness));
 #endif
-    return areaWithin(outline, from, to);
+    return areaWithin(outline, from, to) * (isFull ? 1.0 : 0.5);
 }
 
 float shadowVisibility(vec3 p_world, vec3 n_world) {
@@ -144,9 +148,14 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
         return dot(n_world, shape.toCentre) <= 0.0 ? shareAboveHorizon(shape, n_world) : 1.0;
     float above = shareAboveHorizon(shape, n_world);
     LightInMap seen = lightInMap(at, shape, resolution);
-    float limit = u_maxRadius_texels / max(seen.extent_texels.x, seen.extent_texels.y);
-    float closer = nearestBeforeLight(at, seen, resolution, limit, 0.5);
+    float closer = nearestBeforeLight(at, seen, resolution, 1e30, 0.5);
     if (closer <= 0.0) return above;
+    // A light that asks for more texels than the limit counts as a smaller one.
+    float smaller = min(u_maxRadius_texels / (closer * max(seen.extent_texels.x, seen.extent_texels.y)), 1.0);
+    seen.texelsFromLight *= smaller;
+    seen.lightFromTexels /= smaller;
+    seen.tilt *= smaller;
+    seen.extent_texels *= smaller;
 
     // Squares of one texel about the receiver, of two around those, and so on: what is far from it in the map is before the light only if it is
     // as much closer to the light, and large squares are small there.
