@@ -35,7 +35,7 @@ constexpr const char* kLookups = "lookups";
 struct BackprojectionParams : MapParams {
     SquaresAcross across = SquaresAcross::Sixteen;
     SquareGaps gaps = SquareGaps::Closed;
-    int maxRadius_texels = 128;
+    int maxRadius_texels = 96;
 
     static ParamTable describe() {
         using P = BackprojectionParams;
@@ -53,7 +53,7 @@ struct BackprojectionParams : MapParams {
                  .tune(16, 256)
                  .effect(ParamEffect::Host)
                  .help("How far from the receiver's place in the map occluders are looked for; a light that needs more "
-                       "counts as a smaller one. The six views of a point light overlap by as much, up to a sixteenth "
+                       "counts as a smaller one. The six views of a point light overlap by as much, up to a quarter "
                        "of their width.")});
     }
 };
@@ -69,7 +69,7 @@ public:
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         m_isSoft = light.light->hasSize();
         LightDepth::Options options = p().depthOptions();
-        if (m_isSoft) options.margin_texels = std::min(p().maxRadius_texels + 2, p().resolution / 16);
+        if (m_isSoft) options.margin_texels = std::min(p().maxRadius_texels + 2, p().resolution / 4);
         m_depth.update(frame, light, options);
         m_depth.setPlain();
         m_maxRadius_texels = float(p().maxRadius_texels);
