@@ -102,3 +102,12 @@ float lightViewPrecision(int view, float distance_m) {
     return range * 4e-7;
 #endif
 }
+
+// Smallest difference of two depths that the map can tell.
+float mapDepthUnit(float depth) {
+#ifdef MAP_BITS
+    return exp2(-float(MAP_BITS));
+#else
+    return depth * 1.2e-7;
+#endif
+}

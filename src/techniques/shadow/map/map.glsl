@@ -2,12 +2,7 @@
 // One comparison with the nearest texel of the light's map, after the chosen bias.
 #include "shadow/map/params"
 #include "shared/map_point.glsl"
-
-#if LIGHT_VIEWS == 1
-layout(binding = 5) uniform sampler2DShadow t_map;
-#else
-layout(binding = 5) uniform sampler2DArrayShadow t_map;
-#endif
+#include "shared/map_texel.glsl"
 
 float shadowVisibility(vec3 p_world, vec3 n_world) {
     float resolution = float(textureSize(t_map, 0).x), perResolution = 1.0 / resolution;
@@ -15,13 +10,15 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
     if (!mapPoint(p_world, n_world, 0.0, perResolution, at)) return 1.0;
 
     // The map's answer belongs to the centre of the nearest texel.
-    vec2 center = (floor(at.uv * resolution) + 0.5) * perResolution;
-    float reference = mapReference(at, center, vec2(0.5));
+    vec2 texel = floor(at.uv * resolution);
+    float reference = mapReference(at, (texel + 0.5) * perResolution, vec2(0.5));
     // Outside the map nothing casts.
     if (any(lessThan(at.uv, vec2(0.0))) || any(greaterThanEqual(at.uv, vec2(1.0)))) return 1.0;
-#if LIGHT_VIEWS == 1
-    return texture(t_map, vec3(center, reference));
+    float stored = mapTexel(at.view, ivec2(texel));
+    if (reference >= stored) return 1.0;
+#if EXTRAPOLATE == 1
+    return mapPlaneIsBehind(at, at.uv * resolution, ivec2(texel), stored) ? 1.0 : 0.0;
 #else
-    return texture(t_map, vec4(center, float(at.view), reference));
+    return 0.0;
 #endif
 }
