@@ -12,7 +12,7 @@ float mapTexel(int view, ivec2 texel) {
 #if LIGHT_VIEWS == 1
     return texelFetch(t_map, texel, 0).r;
 #else
-    return texelFetch(t_map, ivec3(texel, view), 0).r;
+    return texelFetch(t_map, ivec3(texel, lightViewLayer(view)), 0).r;
 #endif
 }
 
