@@ -9,6 +9,7 @@ flat in uint v_instance;
 
 uniform float u_perResolution;
 flat in vec3 v_plane;
+flat in vec2 v_depths;
 flat in int v_view;
 
 void main() {
@@ -16,5 +17,6 @@ void main() {
     if (isHole(b_instances[v_instance].material, v_uv)) discard;
 #endif
     vec3 ray = lightViewParaboloidRay(v_view, gl_FragCoord.xy * u_perResolution);
-    gl_FragDepth = clamp(VIEW_FORWARD(v_view).w * dot(v_plane, ray), 0.0, 1.0);
+    // Texels just outside of a piece that is seen nearly edge-on would meet its plane anywhere.
+    gl_FragDepth = min(VIEW_FORWARD(v_view).w * clamp(dot(v_plane, ray), v_depths.x, v_depths.y), 1.0);
 }

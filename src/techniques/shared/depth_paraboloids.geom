@@ -6,7 +6,10 @@ layout(triangle_strip, max_vertices = 6) out;
 
 in vec3 t_position[];
 flat out vec3 v_plane;   // 1 / distance along a unit direction is its product with it
+flat out vec2 v_depths;  // least and greatest 1 / distance in the triangle
 flat out int v_view;
+
+uniform float u_segment_rad;
 
 #ifdef ALPHA_MASK
 in vec2 t_uv[];
@@ -29,6 +32,10 @@ void main() {
     float offset = dot(normal, corners[0]);
     if (offset == 0.0) return;   // seen edge-on
 
+    // A piece nowhere spans more than a segment, so nowhere is it much nearer than all of its corners.
+    float nearest_m = min(lengths[0], min(lengths[1], lengths[2])), farthest_m = max(lengths[0], max(lengths[1], lengths[2]));
+    vec2 depths = vec2(1.0 / farthest_m, (1.0 + 0.5 * u_segment_rad * u_segment_rad) / nearest_m);
+
     for (int view = 0; view < 2; ++view) {
         float inside[3];
         bool isOutside = true;
@@ -41,6 +48,7 @@ void main() {
             gl_Layer = view;
             v_view = view;
             v_plane = normal / offset;
+            v_depths = depths;
             float distance_m;
             vec2 uv = lightViewUv(view, t_position[i], distance_m);
             gl_Position = vec4(uv * 2.0 - 1.0, 0.5, 1.0);

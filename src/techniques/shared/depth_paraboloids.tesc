@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Cuts edges so short that their pictures on a paraboloid, arcs of circles, bend by less than half a texel.
+// Cuts edges so short that their pictures on a paraboloid, arcs of circles, bend by less than a texel.
 #include "shared/light_views.glsl"
 layout(vertices = 3) out;
 
 uniform float u_segment_rad;   // longest arc that may be drawn as a line
+uniform float u_mostParts;
 
 in vec3 g_position[];
 out vec3 e_position[];
@@ -26,7 +27,7 @@ float levelOf(vec3 a, vec3 b) {
     vec3 along = b - a, start = a - VIEW_ORIGIN(0).xyz;
     float t = clamp(-dot(start, along) / max(dot(along, along), 1e-30), 0.0, 1.0);
     float nearest_m = length(start + t * along);
-    return clamp(ceil(length(along) / max(nearest_m * u_segment_rad, 1e-30)), 1.0, 64.0);
+    return clamp(ceil(length(along) / max(nearest_m * u_segment_rad, 1e-30)), 1.0, u_mostParts);
 }
 
 void main() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shared/depth_pass.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ombrage {
@@ -29,12 +30,21 @@ void setViews(const gl::Program& program, const LightViews& views, int resolutio
         views.setUniforms(program);
         program.set("u_perResolution", 1.0f / float(resolution));
         // An arc of a circle of radius 1 or more bends by at most an eighth of its length's square; a texel is 2 / resolution.
-        program.set("u_segment_rad", std::sqrt(8.0f / float(resolution)));
+        program.set("u_segment_rad", std::sqrt(16.0f / float(resolution)));
         return;
     }
     std::vector<glm::mat4> matrices;
     for (std::size_t v = 0; v < views.views.size(); ++v) matrices.push_back(views.clipFromWorld(v));
     program.set("u_clipFromWorld", matrices.data(), int(matrices.size()));
+}
+
+/// Into how many parts an edge may be cut. llvmpipe numbers the vertices that come of a draw with 16 bits, so meshes of many
+/// triangles, whose edges are short, are cut less: n parts make about 3/4 n^2 vertices.
+float mostParts(const FrameContext& frame, const DrawBatch& batch) {
+    std::uint32_t most = 1;
+    for (const std::uint32_t i : batch.instances)
+        most = std::max(most, frame.gpuScene->flat().instances[i].triangleCount);
+    return std::clamp(std::sqrt(65536.0f / (0.75f * float(most))), 8.0f, 64.0f);
 }
 
 /// While it lives, patches have three vertices.
@@ -73,7 +83,8 @@ void drawDepth(const std::vector<bool>* takes, bool keep, FrameContext& frame, c
         Defines defines;
         if (views.shape != LightShape::Usual) defines = views.defines();
         if (!positionsOnly) defines.emplace_back("ALPHA_MASK", "1");
-        setViews(frame.program(stagesOf(views), std::move(defines)), views, map.width());
+        const gl::Program& program = frame.program(stagesOf(views), std::move(defines));
+        setViews(program, views, map.width());
         const DrawFilter filter{.castersOnly = true, .excludedByLight = light.index, .alpha = alpha};
         const std::vector<DrawBatch> some =
             takes ? frame.gpuScene->batchesOf(filter, *takes) : std::vector<DrawBatch>();
@@ -82,6 +93,7 @@ void drawDepth(const std::vector<bool>* takes, bool keep, FrameContext& frame, c
             const bool onlyFront = cull == GL_NONE && frame.gpuScene->hidesBackFaces(batch, light.toward(), nearest_m);
             state.cull = onlyFront ? GLenum(GL_BACK) : cull;
             gl::apply(state);
+            if (isTessellated) program.set("u_mostParts", mostParts(frame, batch));
             const DrawCounts counts =
                 frame.gpuScene->draw(batch, positionsOnly, isTessellated ? GL_PATCHES : GL_TRIANGLES);
             frame.countDraw(counts.draws, counts.triangles);

@@ -166,9 +166,10 @@ void addParaboloids(LightViews& made, LightView view, float margin) {
 /// Row vectors (x, y, 1) of a view's picture from a direction d: dot(d, X), dot(d, Y), over dot(d, forward), such that
 /// three directions show at three given points.
 void addTetrahedron(LightViews& made, LightView view, float margin) {
-    const float third = 1.0f / std::sqrt(3.0f);
+    // One corner, where texels are finest, points down.
+    const float c = std::sqrt(8.0f) / 3.0f, half = std::sqrt(0.75f) * c;
     const glm::vec3 corners[4] = {
-        glm::vec3(1, 1, 1) * third, glm::vec3(1, -1, -1) * third, glm::vec3(-1, 1, -1) * third, glm::vec3(-1, -1, 1) * third};
+        {0, -1, 0}, {c, 1.0f / 3.0f, 0}, {-0.5f * c, 1.0f / 3.0f, half}, {-0.5f * c, 1.0f / 3.0f, -half}};
     // Half a square, lower left or upper right, less the margin along its three sides (2 of its units are the square).
     const float m = 2.0f * margin, far = 1.0f - m * (1.0f + std::sqrt(2.0f));
     const glm::vec3 x(-1.0f + m, far, -1.0f + m), y(-1.0f + m, -1.0f + m, far);
