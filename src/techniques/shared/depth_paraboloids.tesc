@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts edges so short that their pictures on a paraboloid, arcs of circles, bend by less than a texel.
+// Cuts edges so short that their pictures on a paraboloid, arcs of circles, bend by less than half a texel.
 #include "shared/light_views.glsl"
 layout(vertices = 3) out;
 

@@ -29,8 +29,8 @@ void setViews(const gl::Program& program, const LightViews& views, int resolutio
     if (views.shape == LightShape::Paraboloids) {
         views.setUniforms(program);
         program.set("u_perResolution", 1.0f / float(resolution));
-        // An arc of a circle of radius 1 or more bends by at most an eighth of its length's square; a texel is 2 / resolution.
-        program.set("u_segment_rad", std::sqrt(16.0f / float(resolution)));
+        // An arc of a circle of radius 1 or more bends by at most an eighth of its length's square; half a texel is 1 / resolution.
+        program.set("u_segment_rad", std::sqrt(8.0f / float(resolution)));
         return;
     }
     std::vector<glm::mat4> matrices;

@@ -16,17 +16,27 @@ float mapTexel(int view, ivec2 texel) {
 #endif
 }
 
+// Change of depth from one texel to the next towards the point along an axis, by the two texels on the far side of `texel` or, where those
+// are not of one plane with it, by the two on the point's side. False where neither are: depths of a plane are linear over the map, near/d
+// and orthographic ones alike.
+bool mapRise(int view, ivec2 texel, ivec2 away, float stored, float unit, out float rise) {
+    float first = mapTexel(view, texel + away), second = mapTexel(view, texel + 2 * away);
+    rise = stored - first;
+    if (abs(rise - (first - second)) <= 0.1 * abs(rise) + unit) return true;
+    first = mapTexel(view, texel - away);
+    second = mapTexel(view, texel - 2 * away);
+    rise = first - stored;
+    return abs(rise - (second - first)) <= 0.1 * abs(rise) + unit;
+}
+
 // Whether the surface that a texel shows, continued as a plane to the point at `px` (in texels, within this one), lies behind the
-// point there, and so does not shade it. Depths of a plane are linear over the map, near/d and orthographic ones alike: along each axis
-// the next texel, away from the point, gives the slope and one more whether they are of one plane. Where they are not, the answer is no.
+// point there, and so does not shade it.
 bool mapPlaneIsBehind(MapPoint at, vec2 px, ivec2 texel, float stored) {
     vec2 aside = px - (vec2(texel) + 0.5);
-    ivec2 away = ivec2(aside.x > 0.0 ? -1 : 1, aside.y > 0.0 ? -1 : 1);
-    vec2 first = vec2(mapTexel(at.view, texel + ivec2(away.x, 0)), mapTexel(at.view, texel + ivec2(0, away.y)));
-    vec2 second = vec2(mapTexel(at.view, texel + ivec2(2 * away.x, 0)), mapTexel(at.view, texel + ivec2(0, 2 * away.y)));
-    vec2 rise = stored - first, bend = abs(rise - (first - second));
-    float unit = mapDepthUnit(stored);
-    if (any(greaterThan(bend, 0.1 * abs(rise) + 4.0 * unit))) return false;
+    float unit = 4.0 * mapDepthUnit(stored);
+    vec2 rise;
+    if (!mapRise(at.view, texel, ivec2(aside.x > 0.0 ? -1 : 1, 0), stored, unit, rise.x)) return false;
+    if (!mapRise(at.view, texel, ivec2(0, aside.y > 0.0 ? -1 : 1), stored, unit, rise.y)) return false;
     // Of the bias for what lies between texels only that for rounding is left.
     float own_m = at.distance_m - 0.2 * params.constant_bias * at.texel_m - lightViewPrecision(at.view, at.distance_m);
     return lightViewDepth(at.view, own_m) >= stored + dot(abs(aside), rise);
