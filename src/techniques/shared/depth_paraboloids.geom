@@ -6,10 +6,8 @@ layout(triangle_strip, max_vertices = 6) out;
 
 in vec3 t_position[];
 flat out vec3 v_plane;   // 1 / distance along a unit direction is its product with it
-flat out vec2 v_depths;  // least and greatest 1 / distance in the triangle
+flat out vec2 v_depths;  // least and greatest 1 / distance that its fragments may have
 flat out int v_view;
-
-uniform float u_segment_rad;
 
 #ifdef ALPHA_MASK
 in vec2 t_uv[];
@@ -32,9 +30,9 @@ void main() {
     float offset = dot(normal, corners[0]);
     if (offset == 0.0) return;   // seen edge-on
 
-    // A piece nowhere spans more than a segment, so nowhere is it much nearer than all of its corners.
+    // A piece is small: its plane within half a texel of it is hardly nearer or farther than its corners, but where it is seen edge-on.
     float nearest_m = min(lengths[0], min(lengths[1], lengths[2])), farthest_m = max(lengths[0], max(lengths[1], lengths[2]));
-    vec2 depths = vec2(1.0 / farthest_m, (1.0 + 0.5 * u_segment_rad * u_segment_rad) / nearest_m);
+    vec2 depths = vec2(0.8 / farthest_m, 1.1 / nearest_m);
 
     for (int view = 0; view < 2; ++view) {
         float inside[3];

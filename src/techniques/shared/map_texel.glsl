@@ -34,6 +34,11 @@ bool mapRise(int view, ivec2 texel, ivec2 away, float stored, float unit, out fl
 bool mapPlaneIsBehind(MapPoint at, vec2 px, ivec2 texel, float stored) {
     vec2 aside = px - (vec2(texel) + 0.5);
     float unit = 4.0 * mapDepthUnit(stored);
+#ifdef LIGHT_PARABOLOIDS
+    // Not linear there: twice (1 + 1) times the square of a texel, of 2 in [-1,1], for a plane that faces the light, and more for others.
+    vec2 size = 2.0 / vec2(textureSize(t_map, 0).xy);
+    unit += 8.0 * stored * size.x * size.x;
+#endif
     vec2 rise;
     if (!mapRise(at.view, texel, ivec2(aside.x > 0.0 ? -1 : 1, 0), stored, unit, rise.x)) return false;
     if (!mapRise(at.view, texel, ivec2(0, aside.y > 0.0 ? -1 : 1), stored, unit, rise.y)) return false;
