@@ -38,6 +38,7 @@ OURS = {
     "map": "map:resolution=2048,cache=false",
     "map 1024": "map:resolution=1024,cache=false",
     "map kept": "map:resolution=2048",
+    "pcf": "pcf:resolution=2048,cache=false",
     "volume-zfail": "volume-zfail",
 }
 SIZE = (1280, 720)
@@ -181,6 +182,7 @@ def main():
         print(f"| {name} | {statistics.median(values):.1f} | {least(name):.1f} |" if values else f"| {name} | not measured | |")
     print("\n| ratio | median [least .. most] | asked for |\n|---|---|---|")
     print(f"| none / minimal loop none | {over('none', 'loop none')} | 1.0 |")
+    print(f"| pcf / minimal loop hard | {over('pcf', 'loop hard')} | 1.35 |")
     print(f"| map / OSG ShadowMap, total | {over('map', 'osg ShadowMap')} | 1.0 |")
     print(f"| map kept / OSG ShadowMap, total | {over('map kept', 'osg ShadowMap')} | |")
     print(f"| map / OSG ShadowMap, added | {added_over('map', 'none', 'osg ShadowMap', 'osg none')} | 1.0 |")

@@ -42,7 +42,7 @@ struct PcfParams : MapParams {
     float radius_texels = 2.0f;
     int samples = 16;
     Rotation rotation = Rotation::Interleaved;
-    float crease = 6.0f;
+    float crease = 10.0f;
     Compare compare = Compare::Texels;
 
     static ParamTable describe() {
@@ -74,7 +74,7 @@ struct PcfParams : MapParams {
                  .range(0, 64)
                  .tune(0, 16)
                  .help("Steepest corner of two surfaces, height over width, that does not darken itself: higher, less "
-                       "acne where walls meet; lower, less light at contacts."),
+                       "acne where walls meet; lower, a whole outer rim of shadows close to their casters."),
              field(&P::compare, "compare")
                  .effect(ParamEffect::Define)
                  .help("texels: every texel with the receiver's distance at its own centre. hardware: the sampler "

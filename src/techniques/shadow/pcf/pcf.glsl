@@ -2,84 +2,54 @@
 // Percentage-closer filtering (Reeves, Salesin and Cook 1987): comparisons with many texels about the point, averaged.
 #include "shadow/pcf/params"
 #include "shared/map_point.glsl"
+#include "shared/map_taps.glsl"
 
 #if COMPARE == COMPARE_HARDWARE
 #if LIGHT_VIEWS == 1
 layout(binding = 5) uniform sampler2DShadow t_map;
+#define LIT(uv, view, reference) texture(t_map, vec3(uv, reference))
 #else
 layout(binding = 5) uniform sampler2DArrayShadow t_map;
+#define LIT(uv, view, reference) texture(t_map, vec4(uv, float(view), reference))
 #endif
 #else
 #if LIGHT_VIEWS == 1
 layout(binding = 5) uniform sampler2D t_map;
+#define STORED(uv, view) texture(t_map, uv).r
+#define STORED_FOUR(uv, view) textureGather(t_map, uv)
 #else
 layout(binding = 5) uniform sampler2DArray t_map;
+#define STORED(uv, view) texture(t_map, vec3(uv, float(view))).r
+#define STORED_FOUR(uv, view) textureGather(t_map, vec3(uv, float(view)))
 #endif
-#endif
-
-// In a concave corner of a right angle the other surface lies before this one's plane by slope + 1/slope for each unit aside: texels farther
-// aside than the nearest one get as much more bias, so that walls do not darken floors. Limited, as contacts lose their shadow there.
-float creaseBias(MapPoint at, vec2 beside) {
-    if (max(beside.x, beside.y) <= 0.5) return 0.0;
-    return min(at.slope + 1.0 / max(at.slope, 1e-3), params.crease) * length(beside) * at.texel_m;
-}
-
-float tapReference(MapPoint at, vec2 center, vec2 beside) {
-    return clamp(lightViewDepth(at.view, mapDistance(at, center, beside) - creaseBias(at, beside)), 0.0, 1.0);
-}
-
-// The share of four texels around a point of the map that are lit, by the distances to it, against one depth.
-#if COMPARE == COMPARE_HARDWARE
-float litAround(MapPoint at, vec2 uv, vec2 beside) {
-    // The farthest of the four lies a texel away.
-    float reference = mapReference(at, uv, beside + 1.0);
-#if BIAS == BIAS_ADAPTIVE || BIAS == BIAS_RECEIVER_PLANE
-    reference = clamp(lightViewDepth(at.view, mapDistance(at, uv, beside) - at.texel_m * at.slope), 0.0, 1.0);
-#endif
-#if LIGHT_VIEWS == 1
-    return texture(t_map, vec3(uv, reference));
-#else
-    return texture(t_map, vec4(uv, float(at.view), reference));
-#endif
-}
 #endif
 
 #if KERNEL == KERNEL_GRID
 // A square of SIZE texels, wherever it lies between them: texels at its border count by the part inside.
-float litOf(MapPoint at, float resolution, float perResolution) {
-#if COMPARE == COMPARE_HARDWARE
-    float sum = 0.0;
-    for (int y = 0; y < SIZE; ++y)
-        for (int x = 0; x < SIZE; ++x) {
-            vec2 beside = vec2(x, y) - 0.5 * float(SIZE - 1);
-            sum += litAround(at, at.uv + beside * perResolution, abs(beside));
-        }
-    return sum / float(SIZE * SIZE);
-#else
-    vec2 corner = at.uv * resolution - 0.5 * float(SIZE);
+float litAround(MapPoint at, MapTaps taps, vec2 position, float perResolution) {
+    vec2 corner = position - 0.5 * float(SIZE);
     vec2 first = floor(corner), inside = corner - first;
     float sum = 0.0;
-    // Four texels at a time.
+    // Four texels at a time: two columns, two rows.
     for (int y = 0; y <= SIZE; y += 2)
         for (int x = 0; x <= SIZE; x += 2) {
-            vec2 middle = first + vec2(x, y) + 1.0;
-#if LIGHT_VIEWS == 1
-            vec4 stored = textureGather(t_map, middle * perResolution);
-#else
-            vec4 stored = textureGather(t_map, vec3(middle * perResolution, float(at.view)));
-#endif
             vec2 wx = vec2(x == 0 ? 1.0 - inside.x : x == SIZE ? inside.x : 1.0, x + 1 == SIZE ? inside.x : x + 1 > SIZE ? 0.0 : 1.0);
             vec2 wy = vec2(y == 0 ? 1.0 - inside.y : y == SIZE ? inside.y : 1.0, y + 1 == SIZE ? inside.y : y + 1 > SIZE ? 0.0 : 1.0);
-            const vec2 kTexels[4] = vec2[](vec2(-0.5, 0.5), vec2(0.5, 0.5), vec2(0.5, -0.5), vec2(-0.5, -0.5));
-            vec4 weights = vec4(wx.x * wy.y, wx.y * wy.y, wx.y * wy.x, wx.x * wy.x);
-            for (int k = 0; k < 4; ++k) {
-                vec2 center = (middle + kTexels[k]) * perResolution;
-                float reference = tapReference(at, center, abs(center - at.uv) * resolution);
-                sum += reference >= stored[k] ? weights[k] : 0.0;
-            }
+            vec2 middle = vec2(x, y) + 1.0;
+#if COMPARE == COMPARE_HARDWARE
+            // Between the four where bilinear weights are in proportion to these.
+            vec2 whole = vec2(wx.x + wx.y, wy.x + wy.y);
+            vec2 between = vec2(wx.y, wy.y) / max(whole, vec2(1e-6)) - 0.5;
+            float reference = mapTapOfFour(taps, middle - inside - 0.5 * float(SIZE));
+            sum += whole.x * whole.y * LIT((first + middle + between) * perResolution, at.view, reference);
+#else
+            vec4 stored = STORED_FOUR((first + middle) * perResolution, at.view);
+            vec2 offset = middle - inside - 0.5 * float(SIZE);
+            vec4 lit = vec4(greaterThanEqual(mapTaps4(taps, offset.x + vec2(-0.5, 0.5), offset.y + vec2(-0.5, 0.5)), stored));
+            sum += dot(vec2(lit.w * wx.x + lit.z * wx.y, lit.x * wx.x + lit.y * wx.y), wy);
+#endif
         }
     return sum / float(SIZE * SIZE);
-#endif
 }
 #else
 uniform vec2 u_disk[SAMPLES];   // in the unit disk
@@ -98,23 +68,18 @@ float turnOf(vec2 px) {
 #endif
 }
 
-float litOf(MapPoint at, float resolution, float perResolution) {
+float litAround(MapPoint at, MapTaps taps, vec2 position, float perResolution) {
     float angle = 6.28318531 * turnOf(gl_FragCoord.xy);
     vec2 turn = params.radius * vec2(cos(angle), sin(angle));
     float sum = 0.0;
     for (int i = 0; i < SAMPLES; ++i) {
-        vec2 beside = vec2(dot(u_disk[i], vec2(turn.x, -turn.y)), dot(u_disk[i], turn.yx));
-        vec2 uv = at.uv + beside * perResolution;
+        vec2 place = position + vec2(dot(u_disk[i], vec2(turn.x, -turn.y)), dot(u_disk[i], turn.yx));
 #if COMPARE == COMPARE_HARDWARE
-        sum += litAround(at, uv, abs(beside));
+        // The four texels around a place meet in one corner.
+        sum += LIT(place * perResolution, at.view, mapTapOfFour(taps, floor(place + 0.5) - position));
 #else
-        vec2 center = (floor(uv * resolution) + 0.5) * perResolution;
-        float reference = tapReference(at, center, abs(center - at.uv) * resolution);
-#if LIGHT_VIEWS == 1
-        sum += reference >= texture(t_map, center).r ? 1.0 : 0.0;
-#else
-        sum += reference >= texture(t_map, vec3(center, float(at.view))).r ? 1.0 : 0.0;
-#endif
+        vec2 center = floor(place) + 0.5;
+        sum += mapTap(taps, center - position) >= STORED(center * perResolution, at.view) ? 1.0 : 0.0;
 #endif
     }
     return sum / float(SAMPLES);
@@ -130,5 +95,17 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
 #endif
     MapPoint at;
     if (!mapPoint(p_world, n_world, reach, perResolution, at)) return 1.0;
-    return litOf(at, resolution, perResolution);
+    MapTaps taps = mapTaps(at, reach, perResolution);
+    vec2 position = at.uv * resolution;
+
+    // The nearest texel says whether the point is in the light. Only there can a corner darken itself; in the shadow more bias would only leak.
+    vec2 center = floor(position) + 0.5;
+    float reference = mapTap(taps, center - position);
+#if COMPARE == COMPARE_HARDWARE
+    float lit = LIT(center * perResolution, at.view, clamp(reference, 0.0, 1.0));
+#else
+    float lit = reference >= STORED(center * perResolution, at.view) ? 1.0 : 0.0;
+#endif
+    allowCorner(taps, at, reach, params.crease, lit);
+    return litAround(at, taps, position, perResolution);
 }
