@@ -181,13 +181,12 @@ void GpuScene::uploadInstances() {
     m_positionArray =
         vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
     std::vector<gl::VertexBinding> bindings{{0, m_surfaceVertices.id(), 0, sizeof(SurfaceVertex), 0}};
-    std::vector<gl::VertexAttribute> full{
-        {0, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, position)), 0},
-        {1, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, normal)), 0},
-        {2, 4, GL_FLOAT, GLuint(offsetof(SurfaceVertex, tangent)), 0},
-        {3, 2, GL_FLOAT, GLuint(offsetof(SurfaceVertex, uv)), 0},
-        {12, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, facetNormal)), 0},
-        {13, 1, GL_UNSIGNED_INT, GLuint(offsetof(SurfaceVertex, triangle)), 0}};
+    std::vector<gl::VertexAttribute> full{{0, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, position)), 0},
+                                          {1, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, normal)), 0},
+                                          {2, 4, GL_FLOAT, GLuint(offsetof(SurfaceVertex, tangent)), 0},
+                                          {3, 2, GL_FLOAT, GLuint(offsetof(SurfaceVertex, uv)), 0},
+                                          {12, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, facetNormal)), 0},
+                                          {13, 1, GL_UNSIGNED_INT, GLuint(offsetof(SurfaceVertex, triangle)), 0}};
     if (hasVertexColors()) {
         bindings.push_back({3, m_colors.id(), 0, sizeof(std::uint64_t), 0});
         full.push_back({11, 4, GL_HALF_FLOAT, 0, 3});

@@ -10,15 +10,16 @@
 
 namespace ombrage::test {
 
-/// The scene scaled about the origin and then moved: the same picture, but for rounding and for lengths that a technique
-/// takes for granted. Lights shine as brightly on it, and grow with it.
+/// The scene scaled about the origin and then moved: the same picture, but for rounding and for lengths that a
+/// technique takes for granted. Lights shine as brightly on it, and grow with it.
 Scene placed(Scene scene, double scale, const glm::dvec3& shift);
 
 /// The scale that makes the longest side of the scene's bounds `size_m` long.
 double scaleTo(const Scene& scene, double size_m);
 
-/// The scene with its first light alone, as another kind of light that shines the same way: a sun along the way from the
-/// light to the scene's middle, a lamp on the sun's side, one and a half of the scene's diagonals away. Without a size.
+/// The scene with its first light alone, as another kind of light that shines the same way: a sun along the way from
+/// the light to the scene's middle, a lamp on the sun's side, one and a half of the scene's diagonals away. Without a
+/// size.
 Scene litBy(Scene scene, LightType type);
 
 /// What is varied; every combination is measured.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Shadow maps from a centimetre to a kilometre, near the origin and far from it: whether the defaults need a hand. Prints
-// the worst of every combination and every one over its budget; the exit status is 1 when there is one.
+// Shadow maps from a centimetre to a kilometre, near the origin and far from it: whether the defaults need a hand.
+// Prints the worst of every combination and every one over its budget; the exit status is 1 when there is one.
 #include <algorithm>
 #include <cstdio>
 #include <optional>
@@ -22,7 +22,9 @@ using namespace ombrage::test;
 const std::vector<std::pair<std::string, double>> kBudgets{{"acne", 0.0005}, {"contact_gap", 0.002}};
 constexpr std::size_t kLeastValid = 1000;  // fewer pixels say nothing of shares below 0.0005
 
-double valueOf(const GridCell& cell, const std::string& metric) { return cell.metrics.at(metric).value_or(0); }
+double valueOf(const GridCell& cell, const std::string& metric) {
+    return cell.metrics.at(metric).value_or(0);
+}
 
 bool exceeds(const GridCell& cell) {
     return std::any_of(kBudgets.begin(), kBudgets.end(),
@@ -47,8 +49,10 @@ void printWorst(const std::vector<GridCell>& cells) {
         for (const auto& [metric, budget] : kBudgets) {
             const GridCell* worst = nullptr;
             for (const GridCell& cell : cells)
-                if (placeOf(cell) == place && (!worst || valueOf(cell, metric) > valueOf(*worst, metric))) worst = &cell;
-            line += fmt::format(" {:<38}", fmt::format("{:.5f} {}, {}", valueOf(*worst, metric), worst->scene, worst->light));
+                if (placeOf(cell) == place && (!worst || valueOf(cell, metric) > valueOf(*worst, metric)))
+                    worst = &cell;
+            line += fmt::format(" {:<38}",
+                                fmt::format("{:.5f} {}, {}", valueOf(*worst, metric), worst->scene, worst->light));
         }
         for (const GridCell& cell : cells) over += placeOf(cell) == place && exceeds(cell) ? 1 : 0;
         fmt::print("{} {:>4}\n", line, over);

@@ -45,8 +45,8 @@ inline SeamCount countSeams(const std::string& technique, const std::string& cam
     return count;
 }
 
-/// The row's budget: as many texels as six of 1024^2 make at most 1.5 times as many wrong pixels, and seams are no worse
-/// than shadows' edges are anyway: at most one in a hundred of their pixels.
+/// The row's budget: as many texels as six of 1024^2 make at most 1.5 times as many wrong pixels, and seams are no
+/// worse than shadows' edges are anyway: at most one in a hundred of their pixels.
 inline void expectOmniBudget(const std::string& technique, const std::function<double(const glm::dvec3&)>& toSeam_rad,
                              double seam_rad) {
     std::size_t pixels = 0, wrong = 0;

@@ -29,7 +29,8 @@ void setViews(const gl::Program& program, const LightViews& views, int resolutio
     if (views.shape == LightShape::Paraboloids) {
         views.setUniforms(program);
         program.set("u_perResolution", 1.0f / float(resolution));
-        // An arc of a circle of radius 1 or more bends by at most an eighth of its length's square; half a texel is 1 / resolution.
+        // An arc of a circle of radius 1 or more bends by at most an eighth of its length's square; half a texel is 1 /
+        // resolution.
         program.set("u_segment_rad", std::sqrt(8.0f / float(resolution)));
         return;
     }
@@ -38,8 +39,8 @@ void setViews(const gl::Program& program, const LightViews& views, int resolutio
     program.set("u_clipFromWorld", matrices.data(), int(matrices.size()));
 }
 
-/// Into how many parts an edge may be cut. llvmpipe numbers the vertices that come of a draw with 16 bits, so meshes of many
-/// triangles, whose edges are short, are cut less: n parts make about 3/4 n^2 vertices.
+/// Into how many parts an edge may be cut. llvmpipe numbers the vertices that come of a draw with 16 bits, so meshes of
+/// many triangles, whose edges are short, are cut less: n parts make about 3/4 n^2 vertices.
 float mostParts(const FrameContext& frame, const DrawBatch& batch) {
     std::uint32_t most = 1;
     for (const std::uint32_t i : batch.instances)

@@ -59,9 +59,8 @@ void LightDepth::fitViews(const FrameContext& frame, const LightFrame& light, co
                           m_pose == pose && m_fitted.resolution == options.resolution &&
                           m_fitted.margin_texels == options.margin_texels && m_fitted.shape == options.shape;
     if (isFitted) return;
-    m_views =
-        makeLightViews(frame, light, options.fit, 2.0f * float(options.margin_texels) / float(options.resolution),
-                       options.shape);
+    m_views = makeLightViews(frame, light, options.fit, 2.0f * float(options.margin_texels) / float(options.resolution),
+                             options.shape);
     m_pose = pose;
     m_fitted = options;
 }

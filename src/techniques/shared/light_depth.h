@@ -16,8 +16,8 @@ namespace ombrage {
 enum class DepthFormat { Unorm16, Unorm24, Float32 };
 
 /// The depth of the casters that one light sees, in a map (a layer for each of its views) that is kept while nothing in
-/// it changes. Where some casters move in frame after frame and others do not, a second map holds those that stand still:
-/// it is copied, and those that move are drawn onto the copy.
+/// it changes. Where some casters move in frame after frame and others do not, a second map holds those that stand
+/// still: it is copied, and those that move are drawn onto the copy.
 class LightDepth {
 public:
     struct Options {

@@ -174,8 +174,8 @@ void addTetrahedron(LightViews& made, LightView view, float margin) {
     const float m = 2.0f * margin, far = 1.0f - m * (1.0f + std::sqrt(2.0f));
     const glm::vec3 x(-1.0f + m, far, -1.0f + m), y(-1.0f + m, -1.0f + m, far);
     for (int face = 0; face < 4; ++face) {
-        // The face opposite to a corner; where d . forward is 1 its corners are three times the unit ones. The lowest of them
-        // has the right angle.
+        // The face opposite to a corner; where d . forward is 1 its corners are three times the unit ones. The lowest
+        // of them has the right angle.
         view.forward = -corners[face];
         glm::mat3 rows;
         for (int k = 0; k < 3; ++k) rows[k] = 3.0f * corners[k < face ? k : k + 1];

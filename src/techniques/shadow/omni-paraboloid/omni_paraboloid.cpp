@@ -50,12 +50,14 @@ private:
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(shadow, omni_paraboloid, OmniParaboloid,
-                  {.title = "Dual-paraboloid shadow map",
-                   .summary = "A point light's shadow map in two pictures, each of a half of all directions on a paraboloid.",
-                   .papers = {"brabec2002paraboloid", "dou2014adaptive"},
-                   .limits = "Straight edges become arcs there, so large triangles are cut into many small ones; texels in the middle are twice those at the rim.",
-                   .domain = {.sun = false, .spot = false, .soft = false},
-                   .passes = {{"light-depth", "depth seen from the light, upwards (the first of two paraboloids)"}}})
+OMBRAGE_TECHNIQUE(
+    shadow, omni_paraboloid, OmniParaboloid,
+    {.title = "Dual-paraboloid shadow map",
+     .summary = "A point light's shadow map in two pictures, each of a half of all directions on a paraboloid.",
+     .papers = {"brabec2002paraboloid", "dou2014adaptive"},
+     .limits = "Straight edges become arcs there, so large triangles are cut into many small ones; texels in the "
+               "middle are twice those at the rim.",
+     .domain = {.sun = false, .spot = false, .soft = false},
+     .passes = {{"light-depth", "depth seen from the light, upwards (the first of two paraboloids)"}}})
 
 }  // namespace ombrage

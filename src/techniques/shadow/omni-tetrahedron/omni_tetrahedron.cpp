@@ -50,12 +50,14 @@ private:
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(shadow, omni_tetrahedron, OmniTetrahedron,
-                  {.title = "Tetrahedron shadow map",
-                   .summary = "A point light's shadow map in four perspective views, the faces of a tetrahedron, that fill two squares.",
-                   .papers = {"liao2010tetrahedron", "dou2014adaptive"},
-                   .limits = "The views are wide: texels in the middle of a face are several times those at its corners.",
-                   .domain = {.sun = false, .spot = false, .soft = false},
-                   .passes = {{"light-depth", "depth seen from the light in the first two of four faces"}}})
+OMBRAGE_TECHNIQUE(
+    shadow, omni_tetrahedron, OmniTetrahedron,
+    {.title = "Tetrahedron shadow map",
+     .summary =
+         "A point light's shadow map in four perspective views, the faces of a tetrahedron, that fill two squares.",
+     .papers = {"liao2010tetrahedron", "dou2014adaptive"},
+     .limits = "The views are wide: texels in the middle of a face are several times those at its corners.",
+     .domain = {.sun = false, .spot = false, .soft = false},
+     .passes = {{"light-depth", "depth seen from the light in the first two of four faces"}}})
 
 }  // namespace ombrage

@@ -10,7 +10,8 @@ namespace {
 /// The angle to the plane between the two faces that a direction is nearest to. The tetrahedron stands on one corner.
 double toSeam_rad(const glm::dvec3& l) {
     const double c = std::sqrt(8.0) / 3, h = std::sqrt(0.75) * c;
-    const std::array<glm::dvec3, 4> corners{glm::dvec3(0, -1, 0), {c, 1.0 / 3, 0}, {-c / 2, 1.0 / 3, h}, {-c / 2, 1.0 / 3, -h}};
+    const std::array<glm::dvec3, 4> corners{
+        glm::dvec3(0, -1, 0), {c, 1.0 / 3, 0}, {-c / 2, 1.0 / 3, h}, {-c / 2, 1.0 / 3, -h}};
     std::array<double, 4> along;
     for (std::size_t i = 0; i < 4; ++i) along[i] = -glm::dot(l, corners[i]);
     std::sort(along.begin(), along.end());
