@@ -5,6 +5,7 @@
 
 #include <ombrage/reference.h>
 #include <ombrage/renderer.h>
+#include <ombrage/technique.h>
 
 namespace ombrage::test {
 
@@ -102,13 +103,15 @@ std::vector<GridCell> measureGrid(const GridScene& at, const GridAxes& axes, int
             const ShadowFeatures features = reference.shadowFeatures(receivers, 0, options);
             const std::vector<glm::dvec3> positions = reference.positions(receivers);
             sharedRenderer().setScene(scene);
-            for (const std::string& technique : axes.techniques)
+            for (const std::string& name : axes.techniques) {
+                const Pipeline pipeline = parsePipeline(Family::Shadow, name);
+                if (!supports(technique(pipeline[0].id).domain, at.type)) continue;
                 for (const std::string& format : axes.formats)
                     for (const int resolution : axes.resolutions) {
                         RenderSettings settings;
                         settings.width = width;
                         settings.height = height;
-                        settings.shadow = parsePipeline(Family::Shadow, technique);
+                        settings.shadow = pipeline;
                         settings.shadow[0].params.emplace_back("resolution", std::to_string(resolution));
                         settings.shadow[0].params.emplace_back("format", format);
                         const RenderResult result = sharedRenderer().render(settings);
@@ -121,9 +124,10 @@ std::vector<GridCell> measureGrid(const GridScene& at, const GridAxes& axes, int
                         question.features = &features;
                         const ShadowMeasurement measured =
                             measureShadow(result.visibility.at(0).plane(0), seen, receivers, question);
-                        cells.push_back({at.name, at.light, technique, format, resolution, size_m, shift_m,
-                                         measured.metrics, measured.validCount});
+                        cells.push_back({at.name, at.light, name, format, resolution, size_m, shift_m, measured.metrics,
+                                         measured.validCount});
                     }
+            }
         }
     return cells;
 }
