@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // usage: ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures [FAMILY/NAME]]
-// Writes the generated parts of the manual: OUTPUT_DIR/techniques, an index and one page per technique, made of its
-// manual page and its declaration; OUTPUT_DIR/scenes, the page of the built-in scenes; with --pictures also what the
-// program renders for them, the stages that techniques declare in NAME.pictures.json among it; those of one technique
-// alone where it is named.
+// Writes the generated parts of the manual: OUTPUT_DIR/techniques, an index and one page per technique, made of its manual page and
+// its declaration; OUTPUT_DIR/scenes, the page of the built-in scenes; with --pictures also what the program renders for them,
+// the stages that techniques declare in NAME.pictures.json among it; those of one technique alone where it is named.
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -36,9 +35,7 @@ void writeText(const fs::path& file, const std::string& text) {
     if (!output) throw Error(ErrorCode::Environment, "cannot write this file", "", file.string());
 }
 
-std::string fileName(const TechniqueInfo& info) {
-    return std::string(familyName(info.family)) + "-" + info.name;
-}
+std::string fileName(const TechniqueInfo& info) { return std::string(familyName(info.family)) + "-" + info.name; }
 
 std::string lightsOf(const Domain& domain) {
     std::vector<std::string> names;
@@ -51,8 +48,7 @@ std::string lightsOf(const Domain& domain) {
 
 std::string domainOf(const TechniqueInfo& info) {
     if (info.family != Family::Shadow) return {};
-    std::string text =
-        "Lights: " + lightsOf(info.domain) + (info.domain.soft ? ", with their size" : ", taken as points") + ".";
+    std::string text = "Lights: " + lightsOf(info.domain) + (info.domain.soft ? ", with their size" : ", taken as points") + ".";
     if (info.domain.closedCastersOnly) text += " Casters must be closed.";
     if (info.domain.planarReceiversOnly) text += " Receivers must be flat.";
     if (!info.domain.alphaTest) text += " The holes of alpha-tested casters are not seen.";
@@ -63,23 +59,20 @@ std::string domainOf(const TechniqueInfo& info) {
 std::string pageOf(const TechniqueInfo& info, const fs::path& source) {
     std::string text = readText(source / "src/techniques" / info.id / (info.name + ".md"));
     docs::stagePictures(source, info, text);  // the text and the declared pictures agree
-    text +=
-        "\n![" + info.title + "](images/" + fileName(info) + ".png)\n\n## Domain and parameters\n\n" + domainOf(info);
+    text += "\n![" + info.title + "](images/" + fileName(info) + ".png)\n\n## Domain and parameters\n\n" + domainOf(info);
     const TechniqueEntry& entry = techniqueEntry(info.id);
     text += info.params.empty() ? "It has no parameters.\n" : entry.table().markdown();
     if (!info.passes.empty()) {
         text += "\nIntermediate pictures (`ombrage render SCENE --show NAME`):\n\n";
         for (const PassInfo& pass : info.passes) text += "- `" + pass.name + "`: " + pass.description + "\n";
     }
-    if (!info.papers.empty())
-        text += "\nPapers ([references.bib](../references.bib)): " + join(info.papers, ", ") + ".\n";
+    if (!info.papers.empty()) text += "\nPapers ([references.bib](../references.bib)): " + join(info.papers, ", ") + ".\n";
     return text;
 }
 
 std::string indexOf() {
     std::string text =
-        "# Techniques\n\nMade by `tools/docs` from the techniques' own folders. `ombrage list techniques` prints the "
-        "same list.\n\n"
+        "# Techniques\n\nMade by `tools/docs` from the techniques' own folders. `ombrage list techniques` prints the same list.\n\n"
         "| technique | what it does | where it fails |\n|---|---|---|\n";
     for (const TechniqueInfo& info : techniques())
         text += "| [`" + info.id + "`](" + fileName(info) + ".md) | " + info.summary + " | " + info.limits + " |\n";
@@ -112,9 +105,7 @@ void renderPicture(Renderer& renderer, const TechniqueInfo& info, const fs::path
 
 int main(int argc, char** argv) {
     try {
-        if (argc < 3)
-            throw Error(ErrorCode::Usage, "too few arguments",
-                        "ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures [FAMILY/NAME]]");
+        if (argc < 3) throw Error(ErrorCode::Usage, "too few arguments", "ombrage_docs SOURCE_DIR OUTPUT_DIR [--pictures [FAMILY/NAME]]");
         const fs::path source = argv[1], output = argv[2];
         const fs::path techniquePages = output / "techniques", scenePages = output / "scenes";
         for (const fs::path& folder : {techniquePages, scenePages}) fs::create_directories(folder / "images");
