@@ -39,6 +39,9 @@ public:
     /// Brings it up to date, in a pass of its own where there is something to draw.
     void update(FrameContext& frame, const LightFrame& light, const Options& options);
 
+    /// How often it was drawn: what is made of it is as old as that.
+    std::uint64_t drawn() const { return m_drawnCount; }
+
     /// What update() left: a 2D texture for one view, an array for more. Lookups beyond its border find the farthest
     /// depth where the options have a margin.
     const gl::Texture& map() const { return m_map; }
@@ -93,6 +96,7 @@ private:
     Pose m_pose;  ///< m_views were made for it, and for m_fitted
     Options m_fitted;
     std::optional<Drawn> m_drawn;
+    std::uint64_t m_drawnCount = 0;
     bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
     std::vector<bool> m_moves;    ///< instances that moved of late; empty: none did
     int m_quietUpdates = 0;       ///< since one moved

@@ -145,6 +145,12 @@ float lightViewDepth(int view, float distance_m) {
     return (VIEW_ORIGIN(view).w - distance_m) * VIEW_SCALES(view).z;
 }
 
+// The distance along the axis that the map holds as `depth`, more than 0.
+float lightViewDistance(int view, float depth) {
+    float near_m = VIEW_FORWARD(view).w, far_m = VIEW_ORIGIN(view).w;
+    return LIGHT_PERSPECTIVE != 0 ? near_m / depth : far_m - depth * (far_m - near_m);
+}
+
 // Smallest difference of distances that the map can tell at a distance: a few units in the last place of its float depth, or
 // one of MAP_BITS bits, which in near/d is worth the more the farther away.
 float lightViewPrecision(int view, float distance_m) {
