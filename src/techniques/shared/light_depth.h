@@ -51,7 +51,6 @@ public:
     /// Or as it is, as after update().
     void setPlain();
 
-
     const LightViews& views() const { return *m_views; }
     /// What a program that includes shared/light_views.glsl for this map is compiled for.
     std::vector<std::pair<std::string, std::string>> defines() const;
