@@ -39,7 +39,7 @@ public:
     /// Brings it up to date, in a pass of its own where there is something to draw.
     void update(FrameContext& frame, const LightFrame& light, const Options& options);
 
-    /// How often it was drawn: what is made of it is as old as that.
+    /// How often it was drawn: what is made of it is kept while this stays the same.
     std::uint64_t drawn() const { return m_drawnCount; }
 
     /// What update() left: a 2D texture for one view, an array for more. Lookups beyond its border find the farthest
@@ -50,6 +50,7 @@ public:
     void setCompare(bool linear);
     /// Or as it is, as after update().
     void setPlain();
+
 
     const LightViews& views() const { return *m_views; }
     /// What a program that includes shared/light_views.glsl for this map is compiled for.
