@@ -118,6 +118,7 @@ void LightDepth::update(FrameContext& frame, const LightFrame& light, const Opti
     std::vector<glm::mat4> casters = casterPlacements(frame);
     draw(frame, light, casters, options);
     m_drawn = {*m_views, options, std::move(casters)};
+    ++m_drawnCount;
 }
 
 void LightDepth::draw(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,
@@ -130,7 +131,6 @@ void LightDepth::draw(FrameContext& frame, const LightFrame& light, const std::v
     }
     const auto pass = frame.pass("light depth");
     drawLightDepth(frame, light, *m_views, m_map, options.cull);
-<<<<<<< HEAD
 }
 
 /// Brings the map of what stands still up to date, for the second time in a row that some casters moved and others not.
@@ -167,10 +167,6 @@ bool LightDepth::drawStill(FrameContext& frame, const LightFrame& light, const s
     const auto pass = frame.pass("static depth");
     drawLightDepthOf(m_still->instances, false, frame, light, *m_views, m_still->map, options.cull);
     return true;
-=======
-    m_drawn = {*m_views, options, casterPlacements(frame)};
-    ++m_drawnCount;
->>>>>>> maps
 }
 
 }  // namespace ombrage
