@@ -41,7 +41,8 @@ struct EsmParams : MomentMapParams {
                  .range(1, 2000, Scale::Log)
                  .tune(40, 400)
                  .help("Sharpness over half the range of depths: larger, less light near contacts, and "
-                       "more where the light grazes.")});
+                       "more where the light grazes.")},
+            EsmParams());
     }
 };
 

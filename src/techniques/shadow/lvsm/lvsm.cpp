@@ -65,7 +65,8 @@ struct LvsmParams : MomentMapParams {
                  .range(0, 8)
                  .tune(0, 2)
                  .help("Least standard deviation of depth that is believed, for each unit of slope: more, less acne "
-                       "and more light at contacts.")});
+                       "and more light at contacts.")},
+            LvsmParams());
     }
 };
 

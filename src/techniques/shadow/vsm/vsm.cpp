@@ -36,7 +36,8 @@ struct VsmParams : MomentMapParams {
                  .range(0, 8)
                  .tune(0, 2)
                  .help("Least standard deviation of depth that is believed, for each unit of slope: more, less acne "
-                       "and more light at contacts.")});
+                       "and more light at contacts.")},
+            VsmParams());
     }
 };
 
