@@ -6,6 +6,7 @@ function(ombrage_embed_shaders target)
        ${PROJECT_SOURCE_DIR}/src/render/glsl/*.* ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.glsl
        ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.vert ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.frag
        ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.geom ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.comp
+       ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.tesc ${PROJECT_SOURCE_DIR}/src/techniques/shared/*.tese
        ${PROJECT_SOURCE_DIR}/src/techniques/*/*/*.glsl ${PROJECT_SOURCE_DIR}/src/techniques/*/*/*.vert
        ${PROJECT_SOURCE_DIR}/src/techniques/*/*/*.frag ${PROJECT_SOURCE_DIR}/src/techniques/*/*/*.geom
        ${PROJECT_SOURCE_DIR}/src/techniques/*/*/*.comp)

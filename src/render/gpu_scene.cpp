@@ -181,13 +181,12 @@ void GpuScene::uploadInstances() {
     m_positionArray =
         vertexArray({{0, m_positions.id(), 0, sizeof(glm::vec3), 0}}, {{0, 3, GL_FLOAT, 0, 0}}, m_indices);
     std::vector<gl::VertexBinding> bindings{{0, m_surfaceVertices.id(), 0, sizeof(SurfaceVertex), 0}};
-    std::vector<gl::VertexAttribute> full{
-        {0, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, position)), 0},
-        {1, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, normal)), 0},
-        {2, 4, GL_FLOAT, GLuint(offsetof(SurfaceVertex, tangent)), 0},
-        {3, 2, GL_FLOAT, GLuint(offsetof(SurfaceVertex, uv)), 0},
-        {12, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, facetNormal)), 0},
-        {13, 1, GL_UNSIGNED_INT, GLuint(offsetof(SurfaceVertex, triangle)), 0}};
+    std::vector<gl::VertexAttribute> full{{0, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, position)), 0},
+                                          {1, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, normal)), 0},
+                                          {2, 4, GL_FLOAT, GLuint(offsetof(SurfaceVertex, tangent)), 0},
+                                          {3, 2, GL_FLOAT, GLuint(offsetof(SurfaceVertex, uv)), 0},
+                                          {12, 3, GL_FLOAT, GLuint(offsetof(SurfaceVertex, facetNormal)), 0},
+                                          {13, 1, GL_UNSIGNED_INT, GLuint(offsetof(SurfaceVertex, triangle)), 0}};
     if (hasVertexColors()) {
         bindings.push_back({3, m_colors.id(), 0, sizeof(std::uint64_t), 0});
         full.push_back({11, 4, GL_HALF_FLOAT, 0, 3});
@@ -240,7 +239,14 @@ void GpuScene::uploadMaterials() {
 const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
     const auto known = m_batches.find(filter);
     if (known != m_batches.end()) return known->second;
+    return m_batches.emplace(filter, makeBatches(filter, nullptr)).first->second;
+}
 
+std::vector<DrawBatch> GpuScene::batchesOf(const DrawFilter& filter, const std::vector<bool>& takes) const {
+    return makeBatches(filter, &takes);
+}
+
+std::vector<DrawBatch> GpuScene::makeBatches(const DrawFilter& filter, const std::vector<bool>* takes) const {
     // Group the wanted instances by textures; opaque ones need none of them when only depth is drawn.
     const std::vector<int> noModels;
     const auto& excluded =
@@ -251,6 +257,7 @@ const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
         const FlatInstance& instance = m_flat.instances[i];
         const Material& material = m_scene->materials[std::size_t(instance.material)];
         const bool masked = material.alphaMode == AlphaMode::Mask;
+        if (takes && !(*takes)[i]) continue;
         if (filter.castersOnly && !instance.casts) continue;
         if (std::find(excluded.begin(), excluded.end(), instance.model) != excluded.end()) continue;
         if (filter.alpha == DrawFilter::Alpha::OpaqueOnly && masked) continue;
@@ -276,7 +283,7 @@ const std::vector<DrawBatch>& GpuScene::batches(const DrawFilter& filter) {
         }
         made.push_back(std::move(batch));
     }
-    return m_batches.emplace(filter, std::move(made)).first->second;
+    return made;
 }
 
 bool GpuScene::isWithin(std::size_t instance, const glm::vec3& point, float margin_m) const {
@@ -316,11 +323,12 @@ void GpuScene::bindStorage() const {
     m_exclusions.bindStorage(kExclusionStorage);
 }
 
-DrawCounts GpuScene::draw(const DrawBatch& batch, bool positionsOnly) {
+DrawCounts GpuScene::draw(const DrawBatch& batch, bool positionsOnly, GLenum mode) {
     if (!positionsOnly)
         for (std::size_t t = 0; t < batch.textures.size(); ++t)
             if (batch.textures[t] >= 0) texture(batch.textures[t]).bind(kUnitMaterialTextures + unsigned(t));
-    gl::drawElementsIndirect(positionsOnly ? m_positionArray : m_fullArray, batch.commands, 0, batch.commandCount);
+    gl::drawElementsIndirect(positionsOnly ? m_positionArray : m_fullArray, batch.commands, 0, batch.commandCount,
+                             mode);
     return {batch.commandCount, batch.triangles};
 }
 

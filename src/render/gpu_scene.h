@@ -53,6 +53,8 @@ public:
 
     /// What a filter takes, grouped so that each batch is one multi-draw-indirect; kept once made.
     const std::vector<DrawBatch>& batches(const DrawFilter& filter);
+    /// The same of some instances (those for which `takes` is true), made anew by every call.
+    std::vector<DrawBatch> batchesOf(const DrawFilter& filter, const std::vector<bool>& takes) const;
 
     /// Whether no back face of the batch can be seen from `viewpoint`: a point (w 1), farther than `margin_m` from
     /// every instance's bounds, or a direction (w 0).
@@ -61,7 +63,8 @@ public:
     /// Draws one, with the program in use, gl state applied and bindStorage() called; binds the vertex array (positions
     /// and what comes per draw only, without textures, when `positionsOnly`: for opaque casters) and the material
     /// textures.
-    DrawCounts draw(const DrawBatch& batch, bool positionsOnly);
+    /// @param mode GL_TRIANGLES, or GL_PATCHES of three vertices
+    DrawCounts draw(const DrawBatch& batch, bool positionsOnly, GLenum mode = GL_TRIANGLES);
 
     const Scene& scene() const { return *m_scene; }
     /// The same scene with lights and cameras elsewhere; it must outlive this object.
@@ -125,6 +128,7 @@ private:
     Bounds m_bounds;
     glm::vec3 m_casterLower{0.0f}, m_casterUpper{0.0f};
     bool m_hasAlphaMask = false, m_hasSpecular = false, m_hasEmission = false, m_hasLightExceptions = false;
+    std::vector<DrawBatch> makeBatches(const DrawFilter& filter, const std::vector<bool>* takes) const;
     void uploadMeshes();
     void uploadSurfaces();
     void uploadInstances();

@@ -166,6 +166,80 @@ TEST_F(KeptMapTest, AnimationsDrawItAnewWhereTheyMoveTheLight) {
     EXPECT_EQ(later.picture, render(scene, settings).picture) << "the same as without a past";
 }
 
+/// One caster of several that moves, without changing what the light's views cover.
+class StillCastersTest : public MovingSceneTest {
+protected:
+    struct Drawn {
+        std::uint64_t moving = 0, still = 0;  ///< triangles
+        bool operator==(const Drawn&) const = default;
+    };
+    static Drawn drawn(const RenderResult& result) {
+        Drawn drawn;
+        for (const PassCost& pass : result.passes) {
+            if (pass.name == "light depth") drawn.moving += pass.triangles;
+            if (pass.name == "static depth") drawn.still += pass.triangles;
+        }
+        return drawn;
+    }
+
+    void start(const std::string& sceneName, const std::string& caster) {
+        scene = loadScene(sceneName);
+        mover = nullptr;
+        for (Instance& instance : scene.instances) {
+            const Model& model = scene.models[std::size_t(instance.model)];
+            const std::uint64_t triangles = scene.meshes[std::size_t(instance.mesh)].triangleCount();
+            if (model.name == caster) {
+                mover = &instance;
+                movers = triangles;
+            } else if (model.casts)
+                others = others + triangles;
+        }
+        ASSERT_NE(mover, nullptr) << caster;
+        settings = small("map:resolution=256");
+        EXPECT_EQ(drawn(render(scene, settings)), (Drawn{movers + others, 0}));
+    }
+
+    /// A frame later, held against the same scene without a past.
+    Drawn step(double by_m) {
+        mover->worldFromLocal[3].x += by_m;
+        renderer().moveScene(scene);
+        const RenderResult result = again(settings);
+        Renderer fresh(options());
+        fresh.setScene(scene);
+        EXPECT_EQ(result.visibility, fresh.render(settings).visibility);
+        bytes = result.gpuBytes;
+        return drawn(result);
+    }
+
+    Scene scene;
+    Instance* mover = nullptr;
+    RenderSettings settings;
+    std::uint64_t movers = 0, others = 0, bytes = 0;
+};
+
+TEST_F(StillCastersTest, AreKeptUnderThoseThatMove) {
+    for (const auto& [name, caster] : {std::pair("room", "ball"), std::pair("window", "table")}) {
+        SCOPED_TRACE(name);
+        others = 0;
+        start(name, caster);
+        // All of them once more, for it may be a single move; then what stands still on its own, and then no more.
+        EXPECT_EQ(step(0.01), (Drawn{movers + others, 0}));
+        const std::uint64_t before = bytes;
+        EXPECT_EQ(step(0.01), (Drawn{movers, others}));
+        EXPECT_GT(bytes, before);
+        EXPECT_EQ(step(0.01), (Drawn{movers, 0}));
+        EXPECT_EQ(step(-0.02), (Drawn{movers, 0}));
+        // A pause costs nothing, and does not forget what stands still.
+        EXPECT_EQ(step(0), (Drawn{0, 0}));
+        EXPECT_EQ(step(0.01), (Drawn{movers, 0}));
+        // A long one gives the memory back.
+        for (int i = 0; i < 40; ++i) again(settings);
+        step(0);
+        EXPECT_EQ(bytes, before);
+        EXPECT_EQ(step(0.01), (Drawn{movers + others, 0}));
+    }
+}
+
 TEST_F(MovingSceneTest, AnotherSceneIsRefused) {
     Scene scene = loadScene("gap");
     const RenderSettings settings = small("map:resolution=256");

@@ -157,6 +157,31 @@ TEST(PlantedErrors, OfMomentsLieUnderSeveralCasters) {
     EXPECT_DOUBLE_EQ(*m.at("leak_layered"), *m.at("leak"));
 }
 
+// The technique itself: what it lets through far from the light is a leak, along the upper caster's edge within the shadow
+// of the lower one, on either side of it.
+TEST(PlantedErrors, OfAVarianceShadowMapAreLeaks) {
+    Planted p("two-casters");
+    RenderSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.light = "lamp";
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/vsm:kernel=31,bleeding=0");
+    const RenderResult result = renderScene(Bench::of("two-casters").scene(), settings);
+    const std::vector<float> shown = measuredPlane(result, Family::Shadow);
+    p.question.footprint = result.footprint.begin()->second;
+    std::size_t leaking = 0;
+    for (std::size_t i = 0; i < kPixels; ++i) {
+        if (p.truth.mask[i] != Mask::Valid || p.toLit_px[i] <= kFarFromEdges_px || p.truth.visibility[i] > 0) continue;
+        p.plant(i, shown[i], shown[i] > 0.1f ? ErrorClass::Leak : ErrorClass::None);
+        leaking += shown[i] > 0.1f ? 1 : 0;
+    }
+    EXPECT_GT(leaking, 100u);
+    p.expectFound({{ErrorClass::Leak, 100}});
+    const Metrics m = measureShadow(p.picture, p.truth, p.receivers(), p.question).metrics;
+    EXPECT_GT(*m.at("leak_layered"), 0.25 * *m.at("leak"));
+    EXPECT_LT(*m.at("leak_layered"), 0.75 * *m.at("leak"));
+}
+
 /// The same shadows of a lamp of another size: what a technique shows that misjudges the width of penumbrae.
 std::vector<float> withLampScaled(const std::string& name, const Receivers& receivers, float factor, int samples) {
     Scene scene = loadScene(name);

@@ -8,8 +8,10 @@
 
 #include <ombrage/error.h>
 
+#include "gl/context.h"
 #include "lab/plan.h"
 #include "metrics/error_classes.h"
+#include "render/technique.h"
 #include "technique_case.h"
 
 namespace ombrage::test {
@@ -205,6 +207,15 @@ TEST_P(EveryTechnique, EveryParameterIsLive) {
         const bool isCost = std::find(costOnly.begin(), costOnly.end(), param.key) != costOnly.end();
         EXPECT_GE(isCost ? costs.size() : answers.size(), 2u) << param.key << " changes nothing";
     }
+}
+
+// What the manual and the records give as a default is what a technique has when nobody sets it.
+TEST_P(EveryTechnique, DefaultsAreThoseOfItsObjects) {
+    const std::unique_ptr<gl::Context> context = gl::Context::createHeadless({});
+    context->makeCurrent();
+    const std::unique_ptr<Technique> fresh = techniqueEntry(GetParam()).create();
+    for (const ParamField& field : fresh->table().fields())
+        EXPECT_EQ(field.get(fresh->params()), field.info.defaultValue) << field.info.key;
 }
 
 // Every combination of Define parameters (each alone beyond 64 combinations) compiles and leaves no debug message.

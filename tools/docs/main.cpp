@@ -81,7 +81,7 @@ std::string indexOf() {
 
 /// What the family's picture shows best: the composed picture, or the image that the family makes.
 void renderPicture(Renderer& renderer, const TechniqueInfo& info, const fs::path& file) {
-    static const Scene shadowScene = loadScene("menger"), aoScene = loadScene("cornell");
+    static const Scene shadowScene = loadScene("menger"), aoScene = loadScene("cornell"), lampScene = loadScene("room");
     RenderSettings settings;
     settings.width = 480;
     settings.height = 270;
@@ -96,7 +96,7 @@ void renderPicture(Renderer& renderer, const TechniqueInfo& info, const fs::path
                 break;
             }
     settings.show = {usesAo ? "ao" : "final"};
-    const Scene& scene = usesAo ? aoScene : shadowScene;
+    const Scene& scene = usesAo ? aoScene : info.domain.sun ? shadowScene : lampScene;
     renderer.setScene(scene);
     writeImage(file, renderer.render(settings).shown.at(settings.show.front()));
 }

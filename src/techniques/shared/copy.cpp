@@ -4,8 +4,9 @@
 namespace ombrage {
 
 void copyTexture(const gl::Texture& input, const gl::Texture& output) {
-    glCopyImageSubData(input.id(), GL_TEXTURE_2D, 0, 0, 0, 0, output.id(), GL_TEXTURE_2D, 0, 0, 0, 0, input.width(),
-                       input.height(), 1);
+    const GLenum kind = input.desc().kind == gl::TextureKind::Array2D ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
+    glCopyImageSubData(input.id(), kind, 0, 0, 0, 0, output.id(), kind, 0, 0, 0, 0, input.width(), input.height(),
+                       input.desc().layers);
 }
 
 }  // namespace ombrage

@@ -5,7 +5,7 @@
 
 namespace ombrage {
 
-/// Copies level 0 between textures of one size and format.
+/// Copies level 0, all layers, between 2D textures or arrays of one size and format.
 void copyTexture(const gl::Texture& input, const gl::Texture& output);
 
 }  // namespace ombrage

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <vector>
+
 #include "render/frame_context.h"
 #include "techniques/shared/light_views.h"
 
@@ -12,5 +14,9 @@ namespace ombrage {
 /// @param cull  GL_NONE, GL_FRONT or GL_BACK, seen from the light
 void drawLightDepth(FrameContext& frame, const LightFrame& light, const LightViews& views, const gl::Texture& map,
                     GLenum cull);
+
+/// The same of those instances for which `takes` is true. @param keep what the map holds: draws onto it
+void drawLightDepthOf(const std::vector<bool>& takes, bool keep, FrameContext& frame, const LightFrame& light,
+                      const LightViews& views, const gl::Texture& map, GLenum cull);
 
 }  // namespace ombrage

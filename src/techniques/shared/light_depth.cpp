@@ -2,11 +2,15 @@
 #include "techniques/shared/light_depth.h"
 
 #include "render/frame_context.h"
+#include "techniques/shared/copy.h"
 #include "techniques/shared/depth_pass.h"
 
 namespace ombrage {
 
 namespace {
+
+/// So many updates without motion, and all casters count as still again.
+constexpr int kQuietUpdates = 30;
 
 /// Where the casters stand, by their order in the scene.
 std::vector<glm::mat4> casterPlacements(const FrameContext& frame) {
@@ -33,6 +37,13 @@ GLenum glFormat(DepthFormat format) {
 void LightDepth::reset() {
     m_drawn.reset();
     m_views.reset();
+    forgetMotion();
+}
+
+void LightDepth::forgetMotion() {
+    m_moves.clear();
+    m_still.reset();
+    m_quietUpdates = 0;
 }
 
 void LightDepth::sceneMoved() {
@@ -46,10 +57,10 @@ void LightDepth::fitViews(const FrameContext& frame, const LightFrame& light, co
     const Pose pose{light.light->type, light.position, light.direction, light.light->outer_rad};
     const bool isFitted = m_views && options.fit == LightFit::Scene && m_fitted.fit == LightFit::Scene &&
                           m_pose == pose && m_fitted.resolution == options.resolution &&
-                          m_fitted.margin_texels == options.margin_texels;
+                          m_fitted.margin_texels == options.margin_texels && m_fitted.shape == options.shape;
     if (isFitted) return;
-    m_views =
-        makeLightViews(frame, light, options.fit, 2.0f * float(options.margin_texels) / float(options.resolution));
+    m_views = makeLightViews(frame, light, options.fit, 2.0f * float(options.margin_texels) / float(options.resolution),
+                             options.shape);
     m_pose = pose;
     m_fitted = options;
 }
@@ -60,11 +71,11 @@ bool LightDepth::holds(const FrameContext& frame, const Options& options) const 
 }
 
 void LightDepth::makeMap(const Options& options) {
-    const gl::TextureDesc desc{.kind = m_views->views.size() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
+    const gl::TextureDesc desc{.kind = m_views->layers() > 1 ? gl::TextureKind::Array2D : gl::TextureKind::Tex2D,
                                .format = glFormat(options.format),
                                .width = options.resolution,
                                .height = options.resolution,
-                               .layers = int(m_views->views.size())};
+                               .layers = m_views->layers()};
     const bool hasBorder = options.margin_texels > 0;
     if (m_map && m_map.desc() == desc && m_hasBorder == hasBorder) return;
     m_map = gl::Texture(desc, "light depth");
@@ -99,11 +110,63 @@ void LightDepth::update(FrameContext& frame, const LightFrame& light, const Opti
     fitViews(frame, light, options);
     const bool isThere = holds(frame, options);
     m_mayHaveMoved = false;
-    if (isThere) return;
+    if (isThere) {
+        if (!m_moves.empty() && ++m_quietUpdates > kQuietUpdates) forgetMotion();
+        return;
+    }
     makeMap(options);
+    std::vector<glm::mat4> casters = casterPlacements(frame);
+    draw(frame, light, casters, options);
+    m_drawn = {*m_views, options, std::move(casters)};
+    ++m_drawnCount;
+}
+
+void LightDepth::draw(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,
+                      const Options& options) {
+    if (drawStill(frame, light, casters, options)) {
+        const auto pass = frame.pass("light depth");
+        copyTexture(m_still->map, m_map);
+        drawLightDepthOf(m_moves, true, frame, light, *m_views, m_map, options.cull);
+        return;
+    }
     const auto pass = frame.pass("light depth");
     drawLightDepth(frame, light, *m_views, m_map, options.cull);
-    m_drawn = {*m_views, options, casterPlacements(frame)};
+}
+
+/// Brings the map of what stands still up to date, for the second time in a row that some casters moved and others not.
+/// False where all are to be drawn.
+bool LightDepth::drawStill(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,
+                           const Options& options) {
+    const bool onlyCastersDiffer = options.keep && m_drawn && m_drawn->options == options &&
+                                   m_drawn->views == *m_views && m_drawn->casters.size() == casters.size();
+    if (!onlyCastersDiffer) {
+        forgetMotion();
+        return false;
+    }
+    m_quietUpdates = 0;
+    const std::vector<FlatInstance>& instances = frame.gpuScene->flat().instances;
+    const bool movedBefore = !m_moves.empty();
+    m_moves.resize(instances.size(), false);
+    std::vector<bool> still(instances.size(), false);
+    bool anyStill = false;
+    for (std::size_t i = 0, caster = 0; i < instances.size(); ++i) {
+        if (!instances[i].casts) continue;
+        if (m_drawn->casters[caster] != casters[caster]) m_moves[i] = true;
+        ++caster;
+        still[i] = !m_moves[i];
+        anyStill = anyStill || still[i];
+    }
+    if (!movedBefore || !anyStill) {
+        m_still.reset();
+        return false;
+    }
+
+    if (m_still && m_still->instances == still) return true;
+    if (!m_still) m_still = Still{gl::Texture(m_map.desc(), "still casters' depth"), {}};
+    m_still->instances = std::move(still);
+    const auto pass = frame.pass("static depth");
+    drawLightDepthOf(m_still->instances, false, frame, light, *m_views, m_still->map, options.cull);
+    return true;
 }
 
 }  // namespace ombrage

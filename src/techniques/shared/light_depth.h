@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/objects.h"
@@ -13,7 +16,8 @@ namespace ombrage {
 enum class DepthFormat { Unorm16, Unorm24, Float32 };
 
 /// The depth of the casters that one light sees, in a map (a layer for each of its views) that is kept while nothing in
-/// it changes.
+/// it changes. Where some casters move in frame after frame and others do not, a second map holds those that stand
+/// still: it is copied, and those that move are drawn onto the copy.
 class LightDepth {
 public:
     struct Options {
@@ -23,6 +27,7 @@ public:
         int margin_texels = 0;  ///< how far lookups beside a point reach: cube faces overlap by so much
         GLenum cull = GL_NONE;  ///< as for drawLightDepth()
         bool keep = true;       ///< false: drawn anew by every update()
+        LightShape shape = LightShape::Usual;
         bool operator==(const Options&) const = default;
     };
 
@@ -33,6 +38,9 @@ public:
 
     /// Brings it up to date, in a pass of its own where there is something to draw.
     void update(FrameContext& frame, const LightFrame& light, const Options& options);
+
+    /// How often it was drawn: what is made of it is kept while this stays the same.
+    std::uint64_t drawn() const { return m_drawnCount; }
 
     /// What update() left: a 2D texture for one view, an array for more. Lookups beyond its border find the farthest
     /// depth where the options have a margin.
@@ -46,7 +54,9 @@ public:
     const LightViews& views() const { return *m_views; }
     /// What a program that includes shared/light_views.glsl for this map is compiled for.
     std::vector<std::pair<std::string, std::string>> defines() const;
-    std::uint64_t gpuBytes() const { return m_map ? gl::byteSize(m_map.desc()) : 0; }
+    std::uint64_t gpuBytes() const {
+        return (m_map ? gl::byteSize(m_map.desc()) : 0) + (m_still ? gl::byteSize(m_still->map.desc()) : 0);
+    }
 
 private:
     /// What a light's views depend on beside the scene.
@@ -64,6 +74,17 @@ private:
         std::vector<glm::mat4> casters;
     };
 
+    /// The map of the casters that stand still.
+    struct Still {
+        gl::Texture map;
+        std::vector<bool> instances;  ///< of the scene, that are in it
+    };
+
+    void draw(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,
+              const Options& options);
+    bool drawStill(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,
+                   const Options& options);
+    void forgetMotion();
     void fitViews(const FrameContext& frame, const LightFrame& light, const Options& options);
     void makeMap(const Options& options);
     bool holds(const FrameContext& frame, const Options& options) const;
@@ -75,7 +96,11 @@ private:
     Pose m_pose;  ///< m_views were made for it, and for m_fitted
     Options m_fitted;
     std::optional<Drawn> m_drawn;
+    std::uint64_t m_drawnCount = 0;
     bool m_mayHaveMoved = false;  ///< casters, since the map was drawn
+    std::vector<bool> m_moves;    ///< instances that moved of late; empty: none did
+    int m_quietUpdates = 0;       ///< since one moved
+    std::optional<Still> m_still;
 };
 
 }  // namespace ombrage

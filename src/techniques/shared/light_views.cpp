@@ -152,9 +152,50 @@ float nearPlane(const FrameContext& frame, const glm::vec3& position) {
     return std::max(distance_m * 0.5f, 1e-4f * glm::length(upper - lower));
 }
 
+/// The halves above and below.
+void addParaboloids(LightViews& made, LightView view, float margin) {
+    for (const float side : {1.0f, -1.0f}) {
+        view.forward = glm::vec3(0, side, 0);
+        view.right = glm::vec3(1, 0, 0);
+        view.up = glm::cross(view.right, view.forward);
+        view.halfExtent = glm::vec2(1.0f / (1.0f - margin));
+        made.views.push_back(view);
+    }
+}
+
+/// Row vectors (x, y, 1) of a view's picture from a direction d: dot(d, X), dot(d, Y), over dot(d, forward), such that
+/// three directions show at three given points.
+void addTetrahedron(LightViews& made, LightView view, float margin) {
+    // One corner, where texels are finest, points down.
+    const float c = std::sqrt(8.0f) / 3.0f, half = std::sqrt(0.75f) * c;
+    const glm::vec3 corners[4] = {
+        {0, -1, 0}, {c, 1.0f / 3.0f, 0}, {-0.5f * c, 1.0f / 3.0f, half}, {-0.5f * c, 1.0f / 3.0f, -half}};
+    // Half a square, lower left or upper right, less the margin along its three sides (2 of its units are the square).
+    const float m = 2.0f * margin, far = 1.0f - m * (1.0f + std::sqrt(2.0f));
+    const glm::vec3 x(-1.0f + m, far, -1.0f + m), y(-1.0f + m, -1.0f + m, far);
+    for (int face = 0; face < 4; ++face) {
+        // The face opposite to a corner; where d . forward is 1 its corners are three times the unit ones. The lowest
+        // of them has the right angle.
+        view.forward = -corners[face];
+        glm::mat3 rows;
+        for (int k = 0; k < 3; ++k) rows[k] = 3.0f * corners[k < face ? k : k + 1];
+        const glm::mat3 solve = glm::inverse(glm::transpose(rows));
+        const float side = face % 2 == 0 ? 1.0f : -1.0f;
+        view.right = solve * (x * side);
+        view.up = solve * (y * side);
+        // A texel's greatest size at unit distance along the axis, as other views have it.
+        const glm::mat3 ray = glm::inverse(glm::transpose(glm::mat3(view.right, view.up, view.forward)));
+        view.halfExtent = glm::vec2(std::max(glm::length(ray[0]), glm::length(ray[1])));
+        view.right *= view.halfExtent.x;
+        view.up *= view.halfExtent.y;
+        made.views.push_back(view);
+    }
+}
+
 }  // namespace
 
-LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit, float margin) {
+LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, LightFit fit, float margin,
+                          LightShape shape) {
     constexpr float kWidestSpot_rad = 1.308997f;  // 75 degrees: beyond it one picture wastes its texels on the rim
     LightViews made;
     if (light.light->type == LightType::Sun) {
@@ -165,6 +206,10 @@ LightViews makeLightViews(const FrameContext& frame, const LightFrame& light, Li
     LightView view;
     view.origin = light.position;
     view.near_m = nearPlane(frame, light.position);
+    made.shape = shape;
+    if (shape == LightShape::Paraboloids) addParaboloids(made, view, margin);
+    if (shape == LightShape::Tetrahedron) addTetrahedron(made, view, margin);
+    if (shape != LightShape::Usual) return made;
     if (light.light->type == LightType::Spot && light.light->outer_rad <= kWidestSpot_rad) {
         view.forward = light.direction;
         view.right = lightTangent(*light.light);
@@ -204,12 +249,14 @@ glm::mat4 LightViews::clipFromWorld(std::size_t index) const {
 TexelFootprint LightViews::footprint(int resolution) const {
     float widest = 0;
     for (const LightView& v : views) widest = std::max({widest, v.halfExtent.x, v.halfExtent.y});
-    const double texel = 2.0 * double(widest) / resolution;
+    // In the middle of a paraboloid twice as much is shown as at its rim.
+    const double texel = (shape == LightShape::Paraboloids ? 4.0 : 2.0) * double(widest) / resolution;
     return perspective ? TexelFootprint{0, texel, 0.5} : TexelFootprint{texel, 0, 0.5};
 }
 
 ShadowRange LightViews::range(const glm::dvec3& origin) const {
     ShadowRange range;
+    if (shape != LightShape::Usual) return range;  // everything
     for (std::size_t i = 0; i < views.size(); ++i)
         range.clipFromWorld.push_back(glm::translate(glm::dmat4(clipFromWorld(i)), -origin));
     return range;
@@ -229,10 +276,25 @@ void LightViews::setUniforms(const gl::Program& program) const {
     program.set("u_viewRight", right, count);
     program.set("u_viewUp", up, count);
     program.set("u_viewForward", forward, count);
+    if (shape != LightShape::Tetrahedron) return;
+
+    // Rays from points of the picture, [-1,1].
+    glm::vec4 rays[12];
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const LightView& v = views[i];
+        const glm::mat3 ray =
+            glm::inverse(glm::transpose(glm::mat3(v.right / v.halfExtent.x, v.up / v.halfExtent.y, v.forward)));
+        for (int k = 0; k < 3; ++k) rays[3 * i + std::size_t(k)] = glm::vec4(ray[k], 0.0f);
+    }
+    program.set("u_viewRays", rays, 12);
 }
 
 std::vector<std::pair<std::string, std::string>> LightViews::defines() const {
-    return {{"LIGHT_VIEWS", std::to_string(views.size())}, {"LIGHT_PERSPECTIVE", perspective ? "1" : "0"}};
+    std::vector<std::pair<std::string, std::string>> defines{{"LIGHT_VIEWS", std::to_string(views.size())},
+                                                             {"LIGHT_PERSPECTIVE", perspective ? "1" : "0"}};
+    if (shape == LightShape::Paraboloids) defines.emplace_back("LIGHT_PARABOLOIDS", "1");
+    if (shape == LightShape::Tetrahedron) defines.emplace_back("LIGHT_TETRAHEDRON", "1");
+    return defines;
 }
 
 std::string LightViews::perPass() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shared/map_params.h"
 
+#include <algorithm>
+
 namespace ombrage {
 
 namespace {
@@ -18,7 +20,7 @@ LightDepth::Options MapParams::depthOptions() const {
     return {.resolution = resolution, .format = format, .fit = fit, .cull = culled(*this), .keep = cache};
 }
 
-ParamTable mapTable(const std::vector<ParamField>& own) {
+ParamTable mapTable(const std::vector<ParamField>& own, bool fitted) {
     using P = MapParams;
     std::vector<ParamField> all = {
         field(&P::resolution, "resolution", Unit::Texel)
@@ -58,6 +60,9 @@ ParamTable mapTable(const std::vector<ParamField>& own) {
         field(&P::cache, "cache")
             .effect(ParamEffect::Host)
             .help("Keeps the map while neither the light nor the casters nor the fit changed.")};
+    if (!fitted)
+        all.erase(std::remove_if(all.begin(), all.end(), [](const ParamField& f) { return f.info.key == "fit"; }),
+                  all.end());
     all.insert(all.end(), own.begin(), own.end());
     return ParamTable(std::move(all));
 }

@@ -51,7 +51,7 @@ struct MapParams {
     LightDepth::Options depthOptions() const;
 };
 
-/// Their declarations, followed by those of the technique.
-ParamTable mapTable(const std::vector<ParamField>& own = {});
+/// Their declarations, followed by those of the technique. @param fitted false: of no sun, which `fit` is for
+ParamTable mapTable(const std::vector<ParamField>& own = {}, bool fitted = true);
 
 }  // namespace ombrage

@@ -32,7 +32,7 @@ bool mapPoint(vec3 p_world, vec3 n_world, float reach, float perResolution, out 
     at.n_world = n_world;
     at.view = lightViewOf(p_world);
     at.uv = lightViewUv(at.view, p_world, at.distance_m);
-    at.texel_m = lightViewTexel(at.view, at.distance_m, perResolution);
+    at.texel_m = lightViewTexelAt(at.view, at.uv, at.distance_m, perResolution);
     float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
     at.slope = min(sine / max(cosine, 1e-6), params.max_slope);
     at.gradient = vec2(0.0);
@@ -57,6 +57,9 @@ float mapDistance(MapPoint at, vec2 center, vec2 beside) {
 #if BIAS == BIAS_SLOPE
     // A surface at this slope differs by at most half a texel's diagonal times the slope within the texel, and by more farther off.
     compared_m -= at.texel_m * at.slope * (params.slope_bias + max(length(beside) - 0.70710678, 0.0));
+#elif BIAS == BIAS_ORIENTED && (defined(LIGHT_PARABOLOIDS) || defined(LIGHT_TETRAHEDRON))
+    // Their axes are not square to each other all over the picture: half a diagonal at the surface's slope.
+    compared_m -= at.texel_m * at.slope * max(length(beside), 0.70710678);
 #elif BIAS == BIAS_ORIENTED
     // FFXVI 2023: the same from the normal's own direction in the map: half a texel along each axis.
     vec3 n_light = vec3(dot(at.n_world, VIEW_RIGHT(at.view).xyz), dot(at.n_world, VIEW_UP(at.view).xyz), dot(at.n_world, VIEW_FORWARD(at.view).xyz));

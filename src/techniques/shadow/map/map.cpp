@@ -9,7 +9,14 @@ namespace ombrage {
 namespace {
 
 struct ShadowMapParams : MapParams {
-    static ParamTable describe() { return mapTable(); }
+    bool extrapolate = true;
+
+    static ParamTable describe() {
+        return mapTable({field(&ShadowMapParams::extrapolate, "extrapolate")
+                             .effect(ParamEffect::Define)
+                             .help("Continues the surface that a texel shows to the point itself before it counts as "
+                                   "its shadow: no acne in creases and under grazing light.")});
+    }
 };
 
 class ShadowMap final : public ShadowLookupTechniqueOf<ShadowMapParams> {
@@ -19,7 +26,7 @@ public:
 
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         m_depth.update(frame, light, p().depthOptions());
-        m_depth.setCompare(false);
+        m_depth.setPlain();
         if (frame.wants("light-depth")) frame.expose("light-depth", m_depth.map(), ShowAs::LightDepth);
         m_footprint = m_depth.views().footprint(p().resolution);
         m_range = m_depth.views().range(frame.gpuScene->origin());

@@ -2,17 +2,15 @@
 // shadow/pcf: percentage-closer filtering of a light's map, on a grid of texels or on a disk of points.
 #include <cmath>
 
-#include "core/blue_noise.h"
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/shadow/pcf/disks.h"
+#include "techniques/shared/disks.h"
 #include "techniques/shared/map_params.h"
 
 namespace ombrage {
 namespace {
 
 enum class Kernel { Grid, Poisson, Vogel };
-enum class Rotation { None, Interleaved, BlueNoise };
 /// Who compares a texel with what.
 enum class Compare { Texels, Hardware };
 
@@ -23,17 +21,12 @@ struct EnumChoices<Kernel> {
     static std::vector<std::string> names() { return {"grid", "poisson", "vogel"}; }
 };
 template <>
-struct EnumChoices<Rotation> {
-    static std::vector<std::string> names() { return {"none", "interleaved", "blue-noise"}; }
-};
-template <>
 struct EnumChoices<Compare> {
     static std::vector<std::string> names() { return {"texels", "hardware"}; }
 };
 
 namespace {
 
-constexpr int kBlueNoise_px = 64;
 constexpr GLuint kNoiseUnit = kFirstFreeUnit + 1;
 
 struct PcfParams : MapParams {
@@ -41,7 +34,7 @@ struct PcfParams : MapParams {
     int size = 3;
     float radius_texels = 2.0f;
     int samples = 16;
-    Rotation rotation = Rotation::Interleaved;
+    DiskRotation rotation = DiskRotation::Interleaved;
     float crease = 10.0f;
     Compare compare = Compare::Texels;
 
@@ -120,18 +113,9 @@ private:
             m_diskKernel = p().kernel;
         }
         program.set("u_disk", m_disk.data(), p().samples);
-        if (p().rotation != Rotation::BlueNoise) return;
+        if (p().rotation != DiskRotation::BlueNoise) return;
         if (!m_blueNoise) m_blueNoise = blueNoiseTexture();
         m_blueNoise.bind(kNoiseUnit);
-    }
-
-    static gl::Texture blueNoiseTexture() {
-        gl::Texture texture({.format = GL_R32F, .width = kBlueNoise_px, .height = kBlueNoise_px}, "blue noise");
-        std::vector<float> turns;
-        for (const std::uint32_t rank : blueNoise(kBlueNoise_px, 1))
-            turns.push_back(float(rank) / float(kBlueNoise_px * kBlueNoise_px));
-        texture.upload(0, GL_RED, GL_FLOAT, turns.data());
-        return texture;
     }
 
     LightDepth m_depth;

@@ -53,20 +53,8 @@ float litAround(MapPoint at, MapTaps taps, vec2 position, float perResolution) {
 }
 #else
 uniform vec2 u_disk[SAMPLES];   // in the unit disk
-#if ROTATION == ROTATION_BLUE_NOISE
-layout(binding = 6) uniform sampler2D t_blueNoise;   // [0,1), tiles
-#endif
-
-// By how much of a turn this pixel's disk is turned.
-float turnOf(vec2 px) {
-#if ROTATION == ROTATION_INTERLEAVED
-    return fract(52.9829189 * fract(dot(px, vec2(0.06711056, 0.00583715))));   // Jimenez 2014
-#elif ROTATION == ROTATION_BLUE_NOISE
-    return texelFetch(t_blueNoise, ivec2(px) & (textureSize(t_blueNoise, 0) - 1), 0).r;
-#else
-    return 0.0;
-#endif
-}
+#define TURN_BINDING 6
+#include "shared/disk_turn.glsl"
 
 float litAround(MapPoint at, MapTaps taps, vec2 position, float perResolution) {
     float angle = 6.28318531 * turnOf(gl_FragCoord.xy);

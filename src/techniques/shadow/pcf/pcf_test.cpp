@@ -7,7 +7,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "techniques/half_plane_scene.h"
-#include "techniques/shadow/pcf/disks.h"
+#include "techniques/shared/disks.h"
 #include "techniques/technique_case.h"
 
 namespace ombrage::test {

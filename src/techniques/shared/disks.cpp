@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/shadow/pcf/disks.h"
+#include "techniques/shared/disks.h"
 
 #include <cmath>
 #include <limits>
 #include <random>
 
 #include <glm/gtc/constants.hpp>
+
+#include "core/blue_noise.h"
 
 namespace ombrage {
 
@@ -40,6 +42,15 @@ std::vector<glm::vec2> poissonDisk(int count) {
         points.push_back(best);
     }
     return points;
+}
+
+gl::Texture blueNoiseTexture() {
+    constexpr int kSize_px = 64;
+    gl::Texture texture({.format = GL_R32F, .width = kSize_px, .height = kSize_px}, "blue noise");
+    std::vector<float> turns;
+    for (const std::uint32_t rank : blueNoise(kSize_px, 1)) turns.push_back(float(rank) / float(kSize_px * kSize_px));
+    texture.upload(0, GL_RED, GL_FLOAT, turns.data());
+    return texture;
 }
 
 }  // namespace ombrage

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// shadow/vsm: variance shadow maps (Donnelly, Lauritzen 2006).
+#include "render/frame_context.h"
+#include "render/technique.h"
+#include "techniques/shared/moment_map.h"
+
+namespace ombrage {
+namespace {
+
+enum class VsmBits { Float32, Unorm16 };
+
+}  // namespace
+
+template <>
+struct EnumChoices<VsmBits> {
+    static std::vector<std::string> names() { return {"32f", "16"}; }
+};
+
+namespace {
+
+struct VsmParams : MomentMapParams {
+    VsmBits bits = VsmBits::Float32;
+    float minDeviation_texels = 0.25f;
+
+    VsmParams() { bleeding = 0.2f; }
+
+    static ParamTable describe() {
+        using P = VsmParams;
+        return momentTable(
+            {field(&P::bits, "bits")
+                 .effect(ParamEffect::Define)
+                 .help(
+                     "Of each of the two moments: fewer take less memory and need more least deviation, which is added "
+                     "by itself."),
+             field(&P::minDeviation_texels, "min-deviation", Unit::Texel)
+                 .range(0, 8)
+                 .tune(0, 2)
+                 .help("Least standard deviation of depth that is believed, for each unit of slope: more, less acne "
+                       "and more light at contacts.")},
+            VsmParams());
+    }
+};
+
+class VarianceShadowMap final : public ShadowLookupTechniqueOf<VsmParams> {
+public:
+    void prepare(FrameContext&) override { m_map.reset(); }
+    void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
+
+    ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
+        m_map.update(frame, *this, light, p(),
+                     {.path = "shadow/vsm/vsm_moments.glsl",
+                      .format = GLenum(p().bits == VsmBits::Float32 ? GL_RG32F : GL_RG16)});
+        m_range = m_map.shadowRange(frame);
+        m_map.exposeTo(frame);
+        return m_map.lookup("shadow/vsm/vsm.glsl");
+    }
+
+    TexelFootprint footprint() const override { return m_map.footprint(); }
+    ShadowRange range() const override { return m_range; }
+    std::uint64_t gpuBytes() const override { return m_map.gpuBytes(); }
+
+private:
+    MomentMap m_map;
+    ShadowRange m_range;
+};
+
+}  // namespace
+
+OMBRAGE_TECHNIQUE(
+    shadow, vsm, VarianceShadowMap,
+    {.title = "Variance shadow map",
+     .summary =
+         "Mean and mean square of the depths under a filter bound the share of them that is lit: a map that may be "
+         "blurred and mipmapped beforehand.",
+     .papers = {"donnelly2006vsm", "lauritzen2007gems3"},
+     .limits =
+         "Light comes through where casters overlap; the blur has one width, and contacts lose their shadow within it.",
+     .domain = {.rect = true, .soft = false},
+     .passes = {{"light-depth", "depth seen from the light (the first of six views for a point light)"},
+                {"moments", "the blurred mean of depth"}}})
+
+}  // namespace ombrage

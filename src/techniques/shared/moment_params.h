@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "techniques/shared/map_params.h"
+
+namespace ombrage {
+
+/// Shape of the filter that is laid over a map of moments.
+enum class MomentBlur { Gauss, Box };
+
+template <>
+struct EnumChoices<MomentBlur> {
+    static std::vector<std::string> names() { return {"gauss", "box"}; }
+};
+
+/// What all techniques that filter statistics of a light's map have in common; shared/moment_map.glsl reads it.
+/// Parameter structs derive from it, with it as their only base, and put their own fields through momentTable().
+struct MomentMapParams : MapParams {
+    int kernel_texels = 5;
+    MomentBlur blur = MomentBlur::Gauss;
+    bool mipmaps = true;
+    int anisotropy = 4;
+    float crease = 6.0f;
+    float bleeding = 0.0f;
+};
+
+/// Their declarations, with `defaults` as defaults, followed by those of the technique.
+ParamTable momentTable(const std::vector<ParamField>& own = {}, const MomentMapParams& defaults = {});
+
+/// Weights of the texels at 0, 1, 2, ... beside the middle, one side of a symmetric filter: the shape's share over each
+/// texel, cut off at half the width. The middle and twice the rest sum to 1.
+std::vector<float> momentBlurWeights(MomentBlur blur, int width_texels);
+
+/// Its variance, in texels squared.
+float momentBlurVariance(const std::vector<float>& weights);
+
+}  // namespace ombrage
