@@ -4,6 +4,14 @@
 #include "shadow/backprojection/params"
 #include "shared/map_point.glsl"
 
+#ifndef SOFT
+#define EXTRAPOLATE 1
+#include "shared/map_nearest.glsl"
+
+float lookups = 1.0;
+
+float shadowVisibility(vec3 p_world, vec3 n_world) { return mapNearest(p_world, n_world); }
+#else
 #if LIGHT_VIEWS == 1
 layout(binding = 5) uniform sampler2D t_map;
 #define MAP_AT(uv, view) texture(t_map, uv).r
@@ -12,18 +20,6 @@ layout(binding = 5) uniform sampler2DArray t_map;
 #define MAP_AT(uv, view) texture(t_map, vec3(uv, float(view))).r
 #endif
 
-#ifndef SOFT
-float lookups = 1.0;
-
-float shadowVisibility(vec3 p_world, vec3 n_world) {
-    float resolution = float(textureSize(t_map, 0).x), perResolution = 1.0 / resolution;
-    MapPoint at;
-    if (!mapPoint(p_world, n_world, 0.0, perResolution, at)) return 1.0;
-    vec2 center = (floor(at.uv * resolution) + 0.5) * perResolution;
-    if (any(lessThan(at.uv, vec2(0.0))) || any(greaterThanEqual(at.uv, vec2(1.0)))) return 1.0;
-    return mapReference(at, center, vec2(0.5)) >= MAP_AT(center, at.view) ? 1.0 : 0.0;
-}
-#else
 #define PYRAMID_BINDING 6
 #include "shared/soft_light.glsl"
 

@@ -3,14 +3,6 @@
 #include "shadow/pcss/params"
 #include "shared/map_point.glsl"
 
-#if LIGHT_VIEWS == 1
-layout(binding = 5) uniform sampler2D t_map;
-#define MAP_AT(uv, view) texture(t_map, uv).r
-#else
-layout(binding = 5) uniform sampler2DArray t_map;
-#define MAP_AT(uv, view) texture(t_map, vec3(uv, float(view))).r
-#endif
-
 // What is found on the way.
 struct Penumbra {
     float visibility;
@@ -22,16 +14,19 @@ struct Penumbra {
 const Penumbra kLit = Penumbra(1.0, 0.0, 0.0, 0.0);
 
 #ifndef SOFT
-Penumbra penumbraAt(vec3 p_world, vec3 n_world) {
-    float resolution = float(textureSize(t_map, 0).x), perResolution = 1.0 / resolution;
-    MapPoint at;
-    if (!mapPoint(p_world, n_world, 0.0, perResolution, at)) return kLit;
-    vec2 center = (floor(at.uv * resolution) + 0.5) * perResolution;
-    if (any(lessThan(at.uv, vec2(0.0))) || any(greaterThanEqual(at.uv, vec2(1.0)))) return kLit;
-    bool isLit = mapReference(at, center, vec2(0.5)) >= MAP_AT(center, at.view);
-    return Penumbra(isLit ? 1.0 : 0.0, 0.0, 0.0, 0.0);
-}
+#define EXTRAPOLATE 1
+#include "shared/map_nearest.glsl"
+
+Penumbra penumbraAt(vec3 p_world, vec3 n_world) { return Penumbra(mapNearest(p_world, n_world), 0.0, 0.0, 0.0); }
 #else
+#if LIGHT_VIEWS == 1
+layout(binding = 5) uniform sampler2D t_map;
+#define MAP_AT(uv, view) texture(t_map, uv).r
+#else
+layout(binding = 5) uniform sampler2DArray t_map;
+#define MAP_AT(uv, view) texture(t_map, vec3(uv, float(view))).r
+#endif
+
 #define PYRAMID_BINDING 6
 #include "shared/soft_light.glsl"
 #define TURN_BINDING 7
