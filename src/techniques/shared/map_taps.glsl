@@ -6,6 +6,7 @@ struct MapTaps {
     float base;      // depth to compare at the point itself
     vec2 gradient;   // its change by a texel along each axis of the map
     vec2 aside;      // and by a texel away from the point on either side: towards the light
+    vec2 towards;    // the same by a texel to where the normal points, if that is more
     float least, most;   // the plane is followed no farther and no nearer than the steepest slope goes
 };
 
@@ -19,7 +20,7 @@ MapTaps mapTaps(MapPoint at, float reach, float perResolution) {
 #else
     taps.base = lightViewDepth(at.view, mapDistance(at, at.uv, vec2(0.5)));
 #endif
-    taps.gradient = taps.aside = vec2(0.0);
+    taps.gradient = taps.aside = taps.towards = vec2(0.0);
 #if BIAS == BIAS_ADAPTIVE
     // Dou et al. 2014, for all texels at once. With n the normal and h the half extents, d n.forward + n.lateral(uv) is the same all over a sun's
     // plane, and (n.forward + n.lateral(uv)) d all over that of a lamp.
@@ -48,8 +49,9 @@ MapTaps mapTaps(MapPoint at, float reach, float perResolution) {
 }
 
 // A corner of two surfaces at a right angle lies before the plane of either by its slope and the other's, 1/slope, for each texel from the
-// point: as much more bias, at most `steepest`, so that walls do not darken floors. `share` of it: 0 where the point itself is in the shadow, for
-// what touches a surface looks the same and would lose its shadow.
+// point: as much more bias, so that walls do not darken floors. One that faces the light begins where the receiver's normal points in the
+// map, and there all of it is borne; elsewhere corners may be oblique to the light, and at most `steepest` is. `share` of both: 0 where the point
+// itself is in the shadow, for what touches a surface looks the same and would lose its shadow.
 void allowCorner(inout MapTaps taps, MapPoint at, float reach, float steepest, float share) {
     float texel = at.texel_m * (LIGHT_PERSPECTIVE != 0 ? VIEW_FORWARD(at.view).w / (at.distance_m * at.distance_m) : VIEW_SCALES(at.view).z);
 #if BIAS == BIAS_ADAPTIVE || BIAS == BIAS_RECEIVER_PLANE
@@ -59,7 +61,10 @@ void allowCorner(inout MapTaps taps, MapPoint at, float reach, float steepest, f
 #endif
     float corner = min(slope + 1.0 / slope, steepest) * texel * share;
     taps.aside += corner;
-    taps.most += corner * (2.0 * reach + 1.0);
+    vec2 lateral = vec2(dot(at.n_world, VIEW_RIGHT(at.view).xyz), dot(at.n_world, VIEW_UP(at.view).xyz));
+    float facing = min(slope + 1.0 / slope, params.max_slope) * texel * share;
+    taps.towards = lateral / max(length(lateral), 1e-4) * facing;
+    taps.most += max(corner, facing) * (2.0 * reach + 1.0);
 }
 
 // Texels nearer than half a one are the point's own.
@@ -70,19 +75,23 @@ vec2 mapAside(vec2 offset) {
 
 // Depth to compare with a texel whose centre is `offset` texels from the point.
 float mapTap(MapTaps taps, vec2 offset) {
-    return clamp(taps.base + dot(taps.gradient, offset) + dot(taps.aside, mapAside(offset)), taps.least, taps.most);
+    float nearer = max(dot(taps.aside, mapAside(offset)), dot(taps.towards, offset));
+    return clamp(taps.base + dot(taps.gradient, offset) + nearer, taps.least, taps.most);
 }
 
 // Four texels at once, of two columns and two rows, in the order of textureGather.
 vec4 mapTaps4(MapTaps taps, vec2 columns, vec2 rows) {
-    vec2 x = taps.gradient.x * columns + taps.aside.x * mapAside(columns);
-    vec2 y = taps.gradient.y * rows + taps.aside.y * mapAside(rows) + taps.base;
-    return clamp(x.xyyx + y.yyxx, taps.least, taps.most);
+    vec2 x = taps.gradient.x * columns, y = taps.gradient.y * rows + taps.base;
+    vec2 asideX = taps.aside.x * mapAside(columns), asideY = taps.aside.y * mapAside(rows);
+    vec2 towardsX = taps.towards.x * columns, towardsY = taps.towards.y * rows;
+    vec4 nearer = max(asideX.xyyx + asideY.yyxx, towardsX.xyyx + towardsY.yyxx);
+    return clamp(x.xyyx + y.yyxx + nearer, taps.least, taps.most);
 }
 
 // One depth for four texels that meet in a corner `offset` texels from the point: each lies half a texel aside along both axes, where the plane
 // may be nearer to the light by half of its gradient along each.
 float mapTapOfFour(MapTaps taps, vec2 offset) {
     float nearer = 0.5 * (abs(taps.gradient.x) + abs(taps.gradient.y));
-    return clamp(taps.base + nearer + dot(taps.gradient, offset) + dot(taps.aside, abs(offset) + 0.5), taps.least, min(taps.most, 1.0));
+    float corner = max(dot(taps.aside, abs(offset) + 0.5), dot(taps.towards, offset) + 0.5 * (abs(taps.towards.x) + abs(taps.towards.y)));
+    return clamp(taps.base + nearer + dot(taps.gradient, offset) + corner, taps.least, min(taps.most, 1.0));
 }

@@ -13,12 +13,11 @@ layout(binding = 5) uniform sampler2DArrayShadow t_map;
 #define LIT(uv, view, reference) texture(t_map, vec4(uv, float(view), reference))
 #endif
 #else
+#include "shared/map_texel.glsl"
 #if LIGHT_VIEWS == 1
-layout(binding = 5) uniform sampler2D t_map;
 #define STORED(uv, view) texture(t_map, uv).r
 #define STORED_FOUR(uv, view) textureGather(t_map, uv)
 #else
-layout(binding = 5) uniform sampler2DArray t_map;
 #define STORED(uv, view) texture(t_map, vec3(uv, float(view))).r
 #define STORED_FOUR(uv, view) textureGather(t_map, vec3(uv, float(view)))
 #endif
@@ -92,7 +91,11 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
 #if COMPARE == COMPARE_HARDWARE
     float lit = LIT(center * perResolution, at.view, clamp(reference, 0.0, 1.0));
 #else
-    float lit = reference >= STORED(center * perResolution, at.view) ? 1.0 : 0.0;
+    float stored = STORED(center * perResolution, at.view);
+    bool isLit = reference >= stored;
+    // In a crease it may show the other surface, which then goes on behind the point.
+    if (!isLit) isLit = mapPlaneIsBehind(at, position, ivec2(floor(position)), stored);
+    float lit = isLit ? 1.0 : 0.0;
 #endif
     allowCorner(taps, at, reach, params.crease, lit);
     return litAround(at, taps, position, perResolution);
