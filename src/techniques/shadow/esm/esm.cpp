@@ -4,7 +4,7 @@
 
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/shared/moment_map.h"
+#include "techniques/shared/moment_technique.h"
 
 namespace ombrage {
 namespace {
@@ -46,32 +46,19 @@ struct EsmParams : MomentMapParams {
     }
 };
 
-class ExponentialShadowMap final : public ShadowLookupTechniqueOf<EsmParams> {
+class ExponentialShadowMap final : public MomentTechniqueOf<EsmParams> {
 public:
-    void prepare(FrameContext&) override { m_map.reset(); }
-    void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
-
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         const bool isLog = p().space == EsmSpace::Log;
         const float exponent = isLog ? p().exponent : std::min(p().exponent, kLargestExponent);
-        m_map.update(frame, *this, light, p(),
-                     {.path = "shadow/esm/esm_moments.glsl",
-                      .format = GL_R32F,
-                      .read = {exponent},
-                      .bind = [exponent](const gl::Program& program) { program.set("u_exponent", exponent); },
-                      .logarithmic = isLog});
-        m_range = m_map.shadowRange(frame);
-        m_map.exposeTo(frame);
-        return m_map.lookup("shadow/esm/esm.glsl");
+        return lookUp(frame, light,
+                      {.path = "shadow/esm/esm_moments.glsl",
+                       .format = GL_R32F,
+                       .read = {exponent},
+                       .bind = [exponent](const gl::Program& program) { program.set("u_exponent", exponent); },
+                       .logarithmic = isLog},
+                      "shadow/esm/esm.glsl");
     }
-
-    TexelFootprint footprint() const override { return m_map.footprint(); }
-    ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_map.gpuBytes(); }
-
-private:
-    MomentMap m_map;
-    ShadowRange m_range;
 };
 
 }  // namespace

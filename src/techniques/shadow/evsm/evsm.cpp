@@ -5,7 +5,7 @@
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shadow/evsm/warp.h"
-#include "techniques/shared/moment_map.h"
+#include "techniques/shared/moment_technique.h"
 
 namespace ombrage {
 namespace {
@@ -66,31 +66,18 @@ struct EvsmParams : MomentMapParams {
     }
 };
 
-class ExponentialVariance final : public ShadowLookupTechniqueOf<EvsmParams> {
+class ExponentialVariance final : public MomentTechniqueOf<EvsmParams> {
 public:
-    void prepare(FrameContext&) override { m_map.reset(); }
-    void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
-
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         const float largest = evsm::largestExponent(p().bits == EvsmBits::Float32 ? 32 : 16);
         const glm::vec2 exponents = glm::min(glm::vec2(p().exponent, p().negativeExponent), glm::vec2(largest));
-        m_map.update(frame, *this, light, p(),
-                     {.path = "shadow/evsm/evsm_moments.glsl",
-                      .format = p().textureFormat(),
-                      .read = {exponents.x, exponents.y},
-                      .bind = [exponents](const gl::Program& program) { program.set("u_exponents", exponents); }});
-        m_range = m_map.shadowRange(frame);
-        m_map.exposeTo(frame);
-        return m_map.lookup("shadow/evsm/evsm.glsl");
+        return lookUp(frame, light,
+                      {.path = "shadow/evsm/evsm_moments.glsl",
+                       .format = p().textureFormat(),
+                       .read = {exponents.x, exponents.y},
+                       .bind = [exponents](const gl::Program& program) { program.set("u_exponents", exponents); }},
+                      "shadow/evsm/evsm.glsl");
     }
-
-    TexelFootprint footprint() const override { return m_map.footprint(); }
-    ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_map.gpuBytes(); }
-
-private:
-    MomentMap m_map;
-    ShadowRange m_range;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shadow/lvsm/layers.h"
-#include "techniques/shared/moment_map.h"
+#include "techniques/shared/moment_technique.h"
 
 namespace ombrage {
 namespace {
@@ -70,16 +70,15 @@ struct LvsmParams : MomentMapParams {
     }
 };
 
-class LayeredVariance final : public ShadowLookupTechniqueOf<LvsmParams> {
+class LayeredVariance final : public MomentTechniqueOf<LvsmParams> {
 public:
-    void prepare(FrameContext&) override {
-        m_map.reset();
+    void prepare(FrameContext& frame) override {
+        MomentTechniqueOf::prepare(frame);
         m_ends.clear();
     }
-    void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
 
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        const bool isNew = m_map.updateDepth(frame, light, p());
+        const bool isNew = map().updateDepth(frame, light, p());
         if (p().placement == LvsmPlacement::Even) {
             m_ends = lvsm::evenLayers(p().layers);
             m_isPlaced = false;
@@ -90,7 +89,7 @@ public:
         const std::vector<glm::vec4> spans = lvsm::layerSpans(m_ends, p().overlap, p().layers);
         std::vector<float> read = m_ends;
         read.push_back(p().overlap);
-        m_map.updateMoments(frame, *this, p(),
+        map().updateMoments(frame, *this, p(),
                             {.path = "shadow/lvsm/lvsm_moments.glsl",
                              .format = GLenum(p().bits == LvsmBits::Float32 ? GL_RG32F : GL_RG16),
                              .sheets = p().layers,
@@ -100,14 +99,8 @@ public:
                              }});
         for (std::size_t i = 1; i + 1 < m_ends.size(); ++i)
             frame.counter("layer " + std::to_string(i) + " ends at z", double(m_ends[i]));
-        m_range = m_map.shadowRange(frame);
-        m_map.exposeTo(frame);
-        return m_map.lookup("shadow/lvsm/lvsm.glsl");
+        return lookUp(frame, "shadow/lvsm/lvsm.glsl");
     }
-
-    TexelFootprint footprint() const override { return m_map.footprint(); }
-    ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_map.gpuBytes(); }
 
 private:
     /// The map's depths in bins over z. Waits for the map to be drawn.
@@ -115,22 +108,20 @@ private:
         const auto pass = frame.pass("layers");
         if (!m_counts) m_counts = gl::Buffer(kBins * sizeof(std::uint32_t), nullptr, "depths in bins");
         m_counts.clear();
-        auto defines = m_map.depth().defines();
+        auto defines = map().depth().defines();
         defines.emplace_back("BINS", std::to_string(kBins));
         const gl::Program& program = frame.program({{GL_COMPUTE_SHADER, "shadow/lvsm/histogram.comp"}}, defines);
-        m_map.setUniforms(program);
-        m_map.depth().map().bind(kFirstFreeUnit);
+        map().setUniforms(program);
+        map().depth().map().bind(kFirstFreeUnit);
         m_counts.bindStorage(kCountStorage);
         const int groups = (p().resolution + kGroup_texels - 1) / kGroup_texels;
-        gl::dispatch(groups, groups, int(m_map.depth().views().views.size()));
+        gl::dispatch(groups, groups, int(map().depth().views().views.size()));
         gl::barrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         std::vector<std::uint32_t> counts(kBins);
         m_counts.download(0, m_counts.size(), counts.data());
         return counts;
     }
 
-    MomentMap m_map;
-    ShadowRange m_range;
     gl::Buffer m_counts;
     std::vector<float> m_ends;
     bool m_isPlaced = false;  ///< m_ends come from the map's depths

@@ -1,50 +1,26 @@
 // SPDX-License-Identifier: MIT
 // shadow/map: depth seen from the light (Williams 1978), with the whole family of biases. Everything but its GLSL and
 // manual page.
-#include "render/frame_context.h"
-#include "render/technique.h"
-#include "techniques/shared/map_params.h"
+#include "techniques/shared/nearest_map.h"
 
 namespace ombrage {
 namespace {
 
-struct ShadowMapParams : MapParams {
-    bool extrapolate = true;
-
-    static ParamTable describe() {
-        return mapTable({field(&ShadowMapParams::extrapolate, "extrapolate")
-                             .effect(ParamEffect::Define)
-                             .help("Continues the surface that a texel shows to the point itself before it counts as "
-                                   "its shadow: no acne in creases and under grazing light.")});
-    }
+struct ShadowMapParams : NearestMapParams {
+    static ParamTable describe() { return table(); }
 };
 
-class ShadowMap final : public ShadowLookupTechniqueOf<ShadowMapParams> {
+class ShadowMap final : public NearestMapTechniqueOf<ShadowMapParams> {
 public:
-    void prepare(FrameContext&) override { m_depth.reset(); }
-    void sceneMoved(FrameContext&) override { m_depth.sceneMoved(); }
-
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        m_depth.update(frame, light, p().depthOptions());
-        m_depth.setPlain();
-        if (frame.wants("light-depth")) frame.expose("light-depth", m_depth.map(), ShowAs::LightDepth);
-        m_footprint = m_depth.views().footprint(p().resolution);
-        m_range = m_depth.views().range(frame.gpuScene->origin());
-        return {"shadow/map/map.glsl", m_depth.defines(),
-                [this](const gl::Program& program) {
-                    m_depth.views().setUniforms(program);
-                    m_depth.map().bind(kFirstFreeUnit);
-                },
-                LightViews::perPass()};
+        ShadowLookup lookup = lookUp(frame, light, p().depthOptions(), "shadow/map/map.glsl");
+        m_range = depth().views().range(frame.gpuScene->origin());
+        return lookup;
     }
 
-    TexelFootprint footprint() const override { return m_footprint; }
     ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_depth.gpuBytes(); }
 
 private:
-    LightDepth m_depth;
-    TexelFootprint m_footprint;
     ShadowRange m_range;
 };
 

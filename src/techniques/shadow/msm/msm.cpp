@@ -3,7 +3,7 @@
 #include "render/frame_context.h"
 #include "render/technique.h"
 #include "techniques/shadow/msm/quantisation.h"
-#include "techniques/shared/moment_map.h"
+#include "techniques/shared/moment_technique.h"
 
 namespace ombrage {
 namespace {
@@ -69,29 +69,16 @@ void bindQuantisation(const gl::Program& program) {
     program.set("u_evenBack", rows(kEvenBack[0], kEvenBack[1]));
 }
 
-class MomentShadowMap final : public ShadowLookupTechniqueOf<MsmParams> {
+class MomentShadowMap final : public MomentTechniqueOf<MsmParams> {
 public:
-    void prepare(FrameContext&) override { m_map.reset(); }
-    void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
-
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         const bool isFloat = p().bits == MsmBits::Float32;
-        m_map.update(frame, *this, light, p(),
-                     {.path = "shadow/msm/msm_moments.glsl",
-                      .format = GLenum(isFloat ? GL_RGBA32F : GL_RGBA16),
-                      .bind = isFloat ? std::function<void(const gl::Program&)>() : bindQuantisation});
-        m_range = m_map.shadowRange(frame);
-        m_map.exposeTo(frame);
-        return m_map.lookup("shadow/msm/msm.glsl");
+        return lookUp(frame, light,
+                      {.path = "shadow/msm/msm_moments.glsl",
+                       .format = GLenum(isFloat ? GL_RGBA32F : GL_RGBA16),
+                       .bind = isFloat ? std::function<void(const gl::Program&)>() : bindQuantisation},
+                      "shadow/msm/msm.glsl");
     }
-
-    TexelFootprint footprint() const override { return m_map.footprint(); }
-    ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_map.gpuBytes(); }
-
-private:
-    MomentMap m_map;
-    ShadowRange m_range;
 };
 
 }  // namespace

@@ -2,7 +2,7 @@
 // shadow/vsm: variance shadow maps (Donnelly, Lauritzen 2006).
 #include "render/frame_context.h"
 #include "render/technique.h"
-#include "techniques/shared/moment_map.h"
+#include "techniques/shared/moment_technique.h"
 
 namespace ombrage {
 namespace {
@@ -41,27 +41,14 @@ struct VsmParams : MomentMapParams {
     }
 };
 
-class VarianceShadowMap final : public ShadowLookupTechniqueOf<VsmParams> {
+class VarianceShadowMap final : public MomentTechniqueOf<VsmParams> {
 public:
-    void prepare(FrameContext&) override { m_map.reset(); }
-    void sceneMoved(FrameContext&) override { m_map.sceneMoved(); }
-
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        m_map.update(frame, *this, light, p(),
-                     {.path = "shadow/vsm/vsm_moments.glsl",
-                      .format = GLenum(p().bits == VsmBits::Float32 ? GL_RG32F : GL_RG16)});
-        m_range = m_map.shadowRange(frame);
-        m_map.exposeTo(frame);
-        return m_map.lookup("shadow/vsm/vsm.glsl");
+        return lookUp(frame, light,
+                      {.path = "shadow/vsm/vsm_moments.glsl",
+                       .format = GLenum(p().bits == VsmBits::Float32 ? GL_RG32F : GL_RG16)},
+                      "shadow/vsm/vsm.glsl");
     }
-
-    TexelFootprint footprint() const override { return m_map.footprint(); }
-    ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_map.gpuBytes(); }
-
-private:
-    MomentMap m_map;
-    ShadowRange m_range;
 };
 
 }  // namespace
