@@ -278,6 +278,7 @@ TEST_F(RendererTest, EveryNameThatIsOfferedIsShown) {
         SCOPED_TRACE(info.id);
         // A light that the technique takes, and both where it takes both.
         if (!info.domain.point) settings.light = scene.lights[0].name;
+        if (!info.domain.sun) settings.light = scene.lights[1].name;
         RenderSettings all = settings;
         all.show = {"all"};
         const RenderResult result = render(scene, all);
