@@ -84,6 +84,8 @@ float shadowVisibility(vec3 p_world, vec3 n_world) {
     if (!mapPoint(p_world, n_world, reach, perResolution, at)) return 1.0;
     MapTaps taps = mapTaps(at, reach, perResolution);
     vec2 position = at.uv * resolution;
+    // Nothing casts far outside the map, nor where coordinates overflow.
+    if (!(abs(position.x) + abs(position.y) < 1e6)) return 1.0;
 
     // The nearest texel says whether the point is in the light. Only there can a corner darken itself; in the shadow more bias would only leak.
     vec2 center = floor(position) + 0.5;
