@@ -150,8 +150,10 @@ std::vector<std::vector<std::string>> everyTechnique(const std::string& program,
     for (const auto& technique : json.at("techniques")) {
         const std::string id = technique.at("id");
         // Models get a sun, which some techniques refuse.
-        const auto& lights = technique.at("domain").at("lights");
-        if (std::find(lights.begin(), lights.end(), "sun") == lights.end()) continue;
+        if (technique.contains("domain")) {
+            const auto& lights = technique["domain"].at("lights");
+            if (std::find(lights.begin(), lights.end(), "sun") == lights.end()) continue;
+        }
         options.push_back({"--" + id.substr(0, id.find('/')), id});
     }
     return options;
