@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/shared/light_depth.h"
 
+#include <algorithm>
+
 #include "render/frame_context.h"
 #include "techniques/shared/copy.h"
 #include "techniques/shared/depth_pass.h"
@@ -52,6 +54,10 @@ void LightDepth::sceneMoved() {
     m_mayHaveMoved = true;
 }
 
+int LightDepth::margin_texels(const Options& options) {
+    return std::min(options.margin_texels, options.resolution / 4);
+}
+
 /// Fitting looks at every caster's vertices, and to the scene depends on the light alone.
 void LightDepth::fitViews(const FrameContext& frame, const LightFrame& light, const Options& options) {
     const Pose pose{light.light->type, light.position, light.direction, light.light->outer_rad};
@@ -59,8 +65,8 @@ void LightDepth::fitViews(const FrameContext& frame, const LightFrame& light, co
                           m_pose == pose && m_fitted.resolution == options.resolution &&
                           m_fitted.margin_texels == options.margin_texels && m_fitted.shape == options.shape;
     if (isFitted) return;
-    m_views = makeLightViews(frame, light, options.fit, 2.0f * float(options.margin_texels) / float(options.resolution),
-                             options.shape);
+    const float margin = 2.0f * float(margin_texels(options)) / float(options.resolution);
+    m_views = makeLightViews(frame, light, options.fit, margin, options.shape);
     m_pose = pose;
     m_fitted = options;
 }

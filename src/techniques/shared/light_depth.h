@@ -24,7 +24,9 @@ public:
         int resolution = 1024;  ///< texels, width and height of each view
         DepthFormat format = DepthFormat::Float32;
         LightFit fit = LightFit::Scene;
-        int margin_texels = 0;  ///< how far lookups beside a point reach: cube faces overlap by so much
+        /// How far lookups beside a point reach: cube faces overlap by so much, but by no more than a quarter of the
+        /// resolution; LightDepth::margin_texels() is what they have.
+        int margin_texels = 0;
         GLenum cull = GL_NONE;  ///< as for drawLightDepth()
         bool keep = true;       ///< false: drawn anew by every update()
         LightShape shape = LightShape::Usual;
@@ -52,6 +54,7 @@ public:
     void setPlain();
 
     const LightViews& views() const { return *m_views; }
+    int margin_texels() const { return margin_texels(m_fitted); }
     /// What a program that includes shared/light_views.glsl for this map is compiled for.
     std::vector<std::pair<std::string, std::string>> defines() const;
     std::uint64_t gpuBytes() const {
@@ -80,6 +83,7 @@ private:
         std::vector<bool> instances;  ///< of the scene, that are in it
     };
 
+    static int margin_texels(const Options& options);
     void draw(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,
               const Options& options);
     bool drawStill(FrameContext& frame, const LightFrame& light, const std::vector<glm::mat4>& casters,

@@ -33,7 +33,8 @@ bool mapPoint(vec3 p_world, vec3 n_world, float reach, float perResolution, out 
     at.view = lightViewOf(p_world);
     at.uv = lightViewUv(at.view, p_world, at.distance_m);
     at.texel_m = lightViewTexelAt(at.view, at.uv, at.distance_m, perResolution);
-    float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+    // Of normals of any length.
+    float sine = sqrt(max(dot(n_world, n_world) - cosine * cosine, 0.0));
     at.slope = min(sine / max(cosine, 1e-6), params.max_slope);
     at.gradient = vec2(0.0);
 
@@ -49,6 +50,10 @@ bool mapPoint(vec3 p_world, vec3 n_world, float reach, float perResolution, out 
 #endif
     return isLit;
 }
+
+// How far, for each unit aside, the other surface of a concave corner of a right angle stands before the plane of one at this slope; at most `most`, for
+// casters that touch a surface look the same.
+float mapCorner(float slope, float most) { return min(slope + 1.0 / max(slope, 1e-3), most); }
 
 // Distance to compare with what the map holds at a texel's centre, which `beside` texels (at least those of the nearest texel) lie
 // between it and the point.

@@ -48,21 +48,20 @@ MapTaps mapTaps(MapPoint at, float reach, float perResolution) {
     return taps;
 }
 
-// A corner of two surfaces at a right angle lies before the plane of either by its slope and the other's, 1/slope, for each texel from the
-// point: as much more bias, so that walls do not darken floors. One that faces the light begins where the receiver's normal points in the
+// As much more bias as a corner of two surfaces (mapCorner()) needs, so that walls do not darken floors. One that faces the light begins where the receiver's normal points in the
 // map, and there all of it is borne; elsewhere corners may be oblique to the light, and at most `steepest` is. `share` of both: 0 where the point
 // itself is in the shadow, for what touches a surface looks the same and would lose its shadow.
 void allowCorner(inout MapTaps taps, MapPoint at, float reach, float steepest, float share) {
     float texel = at.texel_m * (LIGHT_PERSPECTIVE != 0 ? VIEW_FORWARD(at.view).w / (at.distance_m * at.distance_m) : VIEW_SCALES(at.view).z);
 #if BIAS == BIAS_ADAPTIVE || BIAS == BIAS_RECEIVER_PLANE
-    float slope = max(length(taps.gradient) / texel, 1e-3);
+    float slope = length(taps.gradient) / texel;
 #else
-    float slope = max(at.slope, 1e-3);
+    float slope = at.slope;
 #endif
-    float corner = min(slope + 1.0 / slope, steepest) * texel * share;
+    float corner = mapCorner(slope, steepest) * texel * share;
     taps.aside += corner;
     vec2 lateral = vec2(dot(at.n_world, VIEW_RIGHT(at.view).xyz), dot(at.n_world, VIEW_UP(at.view).xyz));
-    float facing = min(slope + 1.0 / slope, params.max_slope) * texel * share;
+    float facing = mapCorner(slope, params.max_slope) * texel * share;
     taps.towards = lateral / max(length(lateral), 1e-4) * facing;
     taps.most += max(corner, facing) * (2.0 * reach + 1.0);
 }

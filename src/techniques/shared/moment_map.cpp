@@ -73,7 +73,7 @@ bool MomentMap::updateDepth(FrameContext& frame, const LightFrame& light, const 
     m_resolution = params.resolution;
     m_reach_texels = 0.5f * float(params.kernel_texels);
     const int coarsest = params.mipmaps ? 1 << (kFaceLevels - 1) : 1;
-    options.margin_texels = std::min(int(std::ceil(m_reach_texels)) + coarsest, params.resolution / 4);
+    options.margin_texels = int(std::ceil(m_reach_texels)) + coarsest;
     const std::uint64_t before = m_depth.drawn();
     m_depth.update(frame, light, options);
     m_range_m = depthRange(frame, light, m_depth.views());

@@ -84,9 +84,8 @@ bool momentPoint(vec3 p_world, vec3 n_world, out MomentPoint m) {
 #else
     float compared_m = mapDistance(at, at.uv, vec2(0.0));
 #endif
-    // In a concave corner of a right angle the other surface lies before this one's plane by slope + 1/slope for each unit aside, which
-    // brings the mean of a Gaussian nearer by 0.4 standard deviations of that. Limited, as contacts lose their shadow there.
-    compared_m -= min(at.slope + 1.0 / max(at.slope, 1e-3), params.crease) * 0.4 * m.spread * at.texel_m;
+    // A corner's other surface brings the mean of a Gaussian nearer by 0.4 standard deviations of what it stands before this one's plane.
+    compared_m -= mapCorner(at.slope, params.crease) * 0.4 * m.spread * at.texel_m;
     m.z = momentDepth(compared_m);
     m.texel = at.texel_m * MOMENT_RANGE.y;
     return true;

@@ -37,6 +37,16 @@ ParamTable momentTable(const std::vector<ParamField>& own, const MomentMapParams
     return mapTable(all);
 }
 
+ParamTable varianceTable(std::vector<ParamField> own, const VarianceMapParams& defaults) {
+    own.push_back(field(&VarianceMapParams::minDeviation_texels, "min-deviation", Unit::Texel)
+                      .range(0, 8)
+                      .tune(0, 2)
+                      .help("Least standard deviation of depth that is believed, for each unit of slope: more, less "
+                            "acne and more light at contacts."));
+    own.back().info.defaultValue = own.back().get(&defaults);
+    return momentTable(own, defaults);
+}
+
 std::vector<float> momentBlurWeights(MomentBlur blur, int width_texels) {
     const double half = 0.5 * width_texels;
     const int radius = width_texels / 2;

@@ -113,10 +113,10 @@ float hiddenBy(MapPoint at, LightInMap seen, Outline outline, bool isSeen, ivec2
     vec2 lower = vec2(square) * size - here, upper = lower + size, beside = lower + 0.5 * size;
     vec2 closeness = closenessOfSquare(at, square, level, perResolution);
     // It must be above the receiver's plane, wherever in the square that is nearest to the light; beside the texel of a receiver that the light's
-    // centre sees also above the other surface of a corner, which at a right angle rises by slope + 1/slope for each unit aside.
+    // centre sees also above the other surface of a corner.
     float compared_m = mapDistance(at, (here + beside) * perResolution, abs(beside)) - 0.70710678 * (size - 1.0) * at.slope * at.texel_m;
     float aside = max(abs(beside.x), abs(beside.y));
-    if (isSeen && aside > 0.5 && aside < 1.5 && level == 0) compared_m -= min(at.slope + 1.0 / max(at.slope, 1e-3), params.max_slope) * length(beside) * at.texel_m;
+    if (isSeen && aside > 0.5 && aside < 1.5 && level == 0) compared_m -= mapCorner(at.slope, params.max_slope) * length(beside) * at.texel_m;
     float plane = closenessAt(compared_m);
     if (closeness.x <= plane || closeness.x <= seen.closeness) return 0.0;
     // All of a large square is as close as the middle of it; of one that is blocked in part a half is.

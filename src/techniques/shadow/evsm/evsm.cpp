@@ -26,16 +26,15 @@ struct EnumChoices<EvsmBits> {
 
 namespace {
 
-struct EvsmParams : MomentMapParams {
+struct EvsmParams : VarianceMapParams {
     EvsmMoments moments = EvsmMoments::Four;
     EvsmBits bits = EvsmBits::Float32;
     float exponent = 42.0f;
     float negativeExponent = 5.0f;
-    float minDeviation_texels = 0.25f;
 
     static ParamTable describe() {
         using P = EvsmParams;
-        return momentTable(
+        return varianceTable(
             {field(&P::moments, "moments")
                  .effect(ParamEffect::Define)
                  .help(
@@ -52,12 +51,7 @@ struct EvsmParams : MomentMapParams {
                  .range(1, evsm::largestExponent(32))
                  .tune(1, 20)
                  .help("Of the negative warp: larger, less light at the edges of receivers and more acne on curved "
-                       "ones."),
-             field(&P::minDeviation_texels, "min-deviation", Unit::Texel)
-                 .range(0, 8)
-                 .tune(0, 2)
-                 .help("Least standard deviation of depth that is believed, for each unit of slope: more, less acne "
-                       "and more light at contacts.")});
+                       "ones.")});
     }
 
     GLenum textureFormat() const {

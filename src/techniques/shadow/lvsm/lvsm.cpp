@@ -8,7 +8,6 @@
 namespace ombrage {
 namespace {
 
-enum class LvsmBits { Unorm16, Float32 };
 /// Where the layers end.
 enum class LvsmPlacement { Depths, Even };
 
@@ -20,28 +19,23 @@ constexpr int kGroup_texels = 64;
 }  // namespace
 
 template <>
-struct EnumChoices<LvsmBits> {
-    static std::vector<std::string> names() { return {"16", "32f"}; }
-};
-template <>
 struct EnumChoices<LvsmPlacement> {
     static std::vector<std::string> names() { return {"depths", "even"}; }
 };
 
 namespace {
 
-struct LvsmParams : MomentMapParams {
+struct LvsmParams : VarianceMapParams {
     int layers = 4;
     LvsmPlacement placement = LvsmPlacement::Depths;
-    LvsmBits bits = LvsmBits::Unorm16;
+    MomentBits bits = MomentBits::Unorm16;
     float overlap = 0.1f;
-    float minDeviation_texels = 0.25f;
 
     LvsmParams() { bleeding = 0.2f; }
 
     static ParamTable describe() {
         using P = LvsmParams;
-        return momentTable(
+        return varianceTable(
             {field(&P::layers, "layers")
                  .range(1, 8)
                  .tune(2, 8)
@@ -60,12 +54,7 @@ struct LvsmParams : MomentMapParams {
                  .tune(0, 0.3)
                  .effect(ParamEffect::Host)
                  .help("How far a layer's moments reach beyond its ends, as a share of the thinner neighbour: less "
-                       "light behind a layer's beginning and fewer dark lines at its end."),
-             field(&P::minDeviation_texels, "min-deviation", Unit::Texel)
-                 .range(0, 8)
-                 .tune(0, 2)
-                 .help("Least standard deviation of depth that is believed, for each unit of slope: more, less acne "
-                       "and more light at contacts.")},
+                       "light behind a layer's beginning and fewer dark lines at its end.")},
             LvsmParams());
     }
 };
@@ -91,7 +80,7 @@ public:
         read.push_back(p().overlap);
         map().updateMoments(frame, *this, p(),
                             {.path = "shadow/lvsm/lvsm_moments.glsl",
-                             .format = GLenum(p().bits == LvsmBits::Float32 ? GL_RG32F : GL_RG16),
+                             .format = GLenum(p().bits == MomentBits::Float32 ? GL_RG32F : GL_RG16),
                              .sheets = p().layers,
                              .read = std::move(read),
                              .bind = [spans](const gl::Program& program) {

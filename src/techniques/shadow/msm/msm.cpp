@@ -8,15 +8,10 @@
 namespace ombrage {
 namespace {
 
-enum class MsmBits { Float32, Unorm16 };
 enum class MsmReconstruction { Hamburger, Hausdorff };
 
 }  // namespace
 
-template <>
-struct EnumChoices<MsmBits> {
-    static std::vector<std::string> names() { return {"32f", "16"}; }
-};
 template <>
 struct EnumChoices<MsmReconstruction> {
     static std::vector<std::string> names() { return {"hamburger", "hausdorff"}; }
@@ -26,7 +21,7 @@ namespace {
 
 struct MsmParams : MomentMapParams {
     MsmReconstruction reconstruction = MsmReconstruction::Hamburger;
-    MsmBits bits = MsmBits::Unorm16;
+    MomentBits bits = MomentBits::Unorm16;
     float momentBias = 1.0f;
     float spreadBias = 0.25f;
 
@@ -72,7 +67,7 @@ void bindQuantisation(const gl::Program& program) {
 class MomentShadowMap final : public MomentTechniqueOf<MsmParams> {
 public:
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        const bool isFloat = p().bits == MsmBits::Float32;
+        const bool isFloat = p().bits == MomentBits::Float32;
         return lookUp(frame, light,
                       {.path = "shadow/msm/msm_moments.glsl",
                        .format = GLenum(isFloat ? GL_RGBA32F : GL_RGBA16),

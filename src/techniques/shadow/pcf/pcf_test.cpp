@@ -192,5 +192,26 @@ TEST(Pcf, CornersOfRoomsDoNotDarkenThemselves) {
     EXPECT_GE(least("10"), 0.999f);  // a half float of a sum over 25
 }
 
+TEST(Pcf, ADiskWiderThanTheMapIsABlurAndNoMore) {
+    // Faces of 16 texels cannot overlap by 32 on each side. A lamp over a floor, most of which nothing shades.
+    Scene scene = emptyScene(HalfPlane::kSize_px);
+    addQuad(scene, {{-40, -40, 0}, {40, -40, 0}, {40, 40, 0}, {-40, 40, 0}}, 0.1f);
+    addQuad(scene, {{-5, -5, 5}, {5, -5, 5}, {5, 5, 5}, {-5, 5, 5}}, 0.1f);
+    Light lamp;
+    lamp.name = "light";
+    lamp.type = LightType::Point;
+    lamp.position = {0, 0, 20};
+    scene.lights = {lamp};
+    RenderSettings settings = squareSettings(HalfPlane::kSize_px);
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/pcf:resolution=16,kernel=vogel,radius=32");
+    settings.light = "light";
+    const RenderResult result = renderFlat(scene, settings);
+    const auto plane = result.visibility.begin()->second.plane(0);
+    // The shade is 13 m wide in a picture of 128 m: 1 percent, and the disk, half a face wide, can but spread it.
+    double sum = 0;
+    for (float v : plane) sum += double(v);
+    EXPECT_GT(sum / double(plane.size()), 0.85);
+}
+
 }  // namespace
 }  // namespace ombrage::test

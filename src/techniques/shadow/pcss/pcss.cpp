@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // shadow/pcss: percentage-closer soft shadows, a filter of a light's map as wide as the penumbra.
-#include <algorithm>
 #include <cmath>
 
-#include "render/frame_context.h"
-#include "render/technique.h"
-#include "techniques/shared/depth_pyramid.h"
 #include "techniques/shared/disks.h"
-#include "techniques/shared/map_params.h"
+#include "techniques/shared/soft_map.h"
 
 namespace ombrage {
 
@@ -30,17 +26,16 @@ struct EnumChoices<PcssBlockers> {
 
 namespace {
 
-constexpr GLuint kPyramidUnit = kFirstFreeUnit + 1, kNoiseUnit = kFirstFreeUnit + 2;
+constexpr GLuint kNoiseUnit = kFirstFreeUnit + 2;
 constexpr const char *kBlockerDepth = "blocker-depth", *kPenumbraWidth = "penumbra-width", *kClipped = "clipped";
 
-struct PcssParams : MapParams {
+struct PcssParams : SoftMapParams {
     int blockerSamples = 16;
     int filterSamples = 32;
     PcssKernel kernel = PcssKernel::Vogel;
     DiskRotation rotation = DiskRotation::Interleaved;
     PcssBlockers blockers = PcssBlockers::Cone;
     float minRadius_texels = 1.0f;
-    int maxRadius_texels = 64;
 
     static ParamTable describe() {
         using P = PcssParams;
@@ -71,57 +66,26 @@ struct PcssParams : MapParams {
                  .tune(0, 3)
                  .help("Narrowest filter of lights with a size: more hides the texels' steps where penumbrae are "
                        "narrower than they."),
-             field(&P::maxRadius_texels, "max-radius", Unit::Texel)
-                 .range(1, 1024)
-                 .tune(16, 256)
-                 .effect(ParamEffect::Host)
-                 .help("Widest filter and search, beyond which penumbrae stay narrower than they are; the six views of "
-                       "a point light overlap by as much, up to a quarter of them.")});
+             maxRadiusField(P(),
+                            "Widest filter and search, beyond which penumbrae stay narrower than they are; the six "
+                            "views of a point light overlap by as much, up to a quarter of them.")});
     }
 };
 
-class Pcss final : public ShadowLookupTechniqueOf<PcssParams> {
+class Pcss final : public SoftMapTechniqueOf<PcssParams> {
 public:
-    void prepare(FrameContext&) override {
-        m_depth.reset();
-        m_pyramid.reset();
-    }
-    void sceneMoved(FrameContext&) override { m_depth.sceneMoved(); }
-
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        m_isSoft = light.light->hasSize();
         m_isRect = light.light->type == LightType::Rect;
-        LightDepth::Options options = p().depthOptions();
-        if (m_isSoft) options.margin_texels = std::min(p().maxRadius_texels + 2, p().resolution / 4);
-        m_depth.update(frame, light, options);
-        m_depth.setPlain();
-        m_maxRadius_texels = float(p().maxRadius_texels);
-        if (m_depth.views().views.size() > 1)
-            m_maxRadius_texels = std::min(m_maxRadius_texels, float(std::max(options.margin_texels - 2, 1)));
-        if (m_isSoft) m_pyramid.update(frame, m_depth);
-        if (frame.wants("light-depth")) frame.expose("light-depth", m_depth.map(), ShowAs::LightDepth);
-        m_footprint = m_depth.views().footprint(p().resolution);
-        if (m_isSoft) m_footprint.kernelRadius_texels = double(p().minRadius_texels);
-        m_range = m_depth.views().range(frame.gpuScene->origin());
-
-        ShadowLookup lookup{"shadow/pcss/pcss.glsl", m_depth.defines(),
-                            [this](const gl::Program& program) { bind(program); }, LightViews::perPass()};
-        if (m_isSoft) lookup.defines.emplace_back("SOFT", "1");
-        show(frame, lookup);
+        const ShadowLookup lookup = lookUp(frame, light, "shadow/pcss/pcss.glsl", double(p().minRadius_texels),
+                                           [this](const gl::Program& program) { bind(program); });
+        const char* names[] = {kBlockerDepth, kPenumbraWidth, kClipped};
+        for (int shown = 0; shown < 3; ++shown)
+            show(frame, lookup, names[shown], "shadow/pcss/show.frag", {{"SHOWN", std::to_string(shown)}});
         return lookup;
     }
 
-    TexelFootprint footprint() const override { return m_footprint; }
-    ShadowRange range() const override { return m_range; }
-    std::uint64_t gpuBytes() const override { return m_depth.gpuBytes() + m_pyramid.gpuBytes(); }
-
 private:
     void bind(const gl::Program& program) {
-        m_depth.views().setUniforms(program);
-        m_depth.map().bind(kFirstFreeUnit);
-        if (!m_isSoft) return;
-        m_pyramid.texture().bind(kPyramidUnit);
-        program.set("u_maxRadius_texels", m_maxRadius_texels);
         const std::vector<glm::vec2> search = searchPoints(), filter = onLight(disk(p().filterSamples));
         program.set("u_searchDisk", search.data(), int(search.size()));
         program.set("u_filterDisk", filter.data(), int(filter.size()));
@@ -150,35 +114,8 @@ private:
         return points;
     }
 
-    /// What lookups find on their way, as pictures.
-    void show(FrameContext& frame, const ShadowLookup& lookup) {
-        const char* names[] = {kBlockerDepth, kPenumbraWidth, kClipped};
-        for (int shown = 0; shown < 3; ++shown) {
-            if (!frame.wants(names[shown])) continue;
-            const FrameContext::Uncounted aside(frame);
-            const gl::Texture value({.format = GL_R32F, .width = frame.width, .height = frame.height}, names[shown]);
-            const gl::Framebuffer target({{&value}}, {&frame.gbuffer->depth}, names[shown]);
-            target.bind();
-            target.clearColor(0, glm::vec4(0));
-            auto defines = lookup.defines;
-            defines.emplace_back("SHOWN", std::to_string(shown));
-            const gl::Program& program = frame.program(
-                *this, {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, "shadow/pcss/show.frag"}},
-                std::move(defines), includeOf(lookup));
-            lookup.bind(program);
-            frame.bindGBuffer();
-            frame.drawSurfaces();
-            frame.expose(names[shown], value, ShowAs::Count);
-        }
-    }
-
-    LightDepth m_depth;
-    DepthPyramid m_pyramid;
     gl::Texture m_blueNoise;
-    bool m_isSoft = false, m_isRect = false;
-    float m_maxRadius_texels = 0;
-    TexelFootprint m_footprint;
-    ShadowRange m_range;
+    bool m_isRect = false;
 };
 
 }  // namespace

@@ -66,8 +66,8 @@ Texel texelAt(MapPoint at, LightInMap seen, vec2 offset_texels, float resolution
     texel.isNearer = closeness > closenessAt(compared_m);
 #if BLOCKERS == BLOCKERS_CONE
     // The nearest texel stands for what lies about the receiver, and so do those beside it within the narrowest filter; but not for the other
-    // surface of a corner, which at a right angle rises by slope + 1/slope for each unit aside.
-    float rise = max(abs(beside.x), abs(beside.y)) > 0.5 ? min(at.slope + 1.0 / max(at.slope, 1e-3), params.max_slope) * length(beside) : 0.0;
+    // surface of a corner.
+    float rise = max(abs(beside.x), abs(beside.y)) > 0.5 ? mapCorner(at.slope, params.max_slope) * length(beside) : 0.0;
     bool isAbove = closeness > closenessAt(compared_m - rise * at.texel_m);
     texel.isBlocker = texel.isNearer && isBeforeLight(seen, beside, texel.closer, isAbove ? params.min_radius : 0.0);
 #else

@@ -7,36 +7,19 @@
 namespace ombrage {
 namespace {
 
-enum class VsmBits { Float32, Unorm16 };
-
-}  // namespace
-
-template <>
-struct EnumChoices<VsmBits> {
-    static std::vector<std::string> names() { return {"32f", "16"}; }
-};
-
-namespace {
-
-struct VsmParams : MomentMapParams {
-    VsmBits bits = VsmBits::Float32;
-    float minDeviation_texels = 0.25f;
+struct VsmParams : VarianceMapParams {
+    MomentBits bits = MomentBits::Float32;
 
     VsmParams() { bleeding = 0.2f; }
 
     static ParamTable describe() {
         using P = VsmParams;
-        return momentTable(
+        return varianceTable(
             {field(&P::bits, "bits")
                  .effect(ParamEffect::Define)
                  .help(
                      "Of each of the two moments: fewer take less memory and need more least deviation, which is added "
-                     "by itself."),
-             field(&P::minDeviation_texels, "min-deviation", Unit::Texel)
-                 .range(0, 8)
-                 .tune(0, 2)
-                 .help("Least standard deviation of depth that is believed, for each unit of slope: more, less acne "
-                       "and more light at contacts.")},
+                     "by itself.")},
             VsmParams());
     }
 };
@@ -46,7 +29,7 @@ public:
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
         return lookUp(frame, light,
                       {.path = "shadow/vsm/vsm_moments.glsl",
-                       .format = GLenum(p().bits == VsmBits::Float32 ? GL_RG32F : GL_RG16)},
+                       .format = GLenum(p().bits == MomentBits::Float32 ? GL_RG32F : GL_RG16)},
                       "shadow/vsm/vsm.glsl");
     }
 };
