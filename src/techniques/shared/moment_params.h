@@ -31,7 +31,7 @@ struct MomentMapParams : MapParams {
     MomentBlur blur = MomentBlur::Gauss;
     bool mipmaps = false;
     int anisotropy = 4;
-    float crease = 6.0f;
+    float crease = 10.0f;
     float bleeding = 0.0f;
 };
 
