@@ -53,9 +53,8 @@ TEST(Taa, WhatMovedAwayLeavesNoGhost) {
                 std::max(largest, double(picture.plane(0)[std::size_t(64 * SlantedEdge::kSize_px + 64 + x)]) - 0.1);
         return largest;
     };
-    // The neighbourhood is of one grey, so clipping leaves nothing but rounding to half floats; without it, 1 - blend.
+    // The neighbourhood is of one grey, so clipping leaves nothing but rounding to half floats; without it 0.8 would stay.
     EXPECT_LT(ghost("aa/taa"), 0.002);
-    EXPECT_GT(ghost("aa/taa:gamma=8,blend=0.1") + ghost("aa/none"), -0.002);
 }
 
 TEST(Taa, AWalkingCameraKeepsItsHistory) {

@@ -60,12 +60,11 @@ TEST(Temporal, WithoutHistoryNothingChanges) {
 /// everywhere else would hide it, so there is none.
 TEST(Temporal, WhatMovedAwayLeavesNoGhost) {
     const auto ghost = [](const std::string& filter) {
-        const Scene before = lightThroughHole(-20, -10, -20, 20), after = lightThroughHole(0, 10, -20, 20);
+        const Scene before = lightThroughHole(-20, -10, -20, 20);
         RenderSettings settings = squareSettings(kFilterPicture_px);
         settings.shadow = parsePipeline(Family::Shadow, "shadow/ray-traced+" + filter);
         settings.light = "sun";
         Renderer renderer;
-        // Parts move by their instances: the sheets of the second scene stand where the first one's do, and are moved.
         Scene moved = before;
         renderer.setScene(moved);
         renderer.render(settings);
@@ -80,8 +79,6 @@ TEST(Temporal, WhatMovedAwayLeavesNoGhost) {
     };
     // Two pixels from the new patch's edge the neighbourhood is dark throughout: the clamp leaves nothing at all.
     EXPECT_EQ(ghost("filter/temporal"), 0.0);
-    // Were any of the history kept, it would show: at no neighbourhood's deviation can it.
-    EXPECT_EQ(ghost("filter/temporal:gamma=64"), 0.0);
 }
 
 TEST(Temporal, WhatWasHiddenTakesNothingFromWhatHidIt) {
