@@ -73,8 +73,11 @@ ShownImage albedo(const GBuffer& gbuffer) {
 
 ShownImage material(const GBuffer& gbuffer) {
     const auto words = readWords(gbuffer.material);
+    const Image depth = readDepth(gbuffer.depth);
     Image image(gbuffer.layout.width, gbuffer.layout.height, {"R", "G", "B"}, ColorSpace::Data);
     for (std::size_t i = 0; i < image.pixelCount(); ++i) {
+        // The sky's was never written.
+        if (depth.plane(0)[i] <= 0) continue;
         const glm::vec4 values = glm::unpackUnorm4x8(words[i]);
         for (int c = 0; c < 3; ++c) image.plane(c)[i] = values[c];
     }
