@@ -266,7 +266,7 @@ std::vector<DrawBatch> GpuScene::makeBatches(const DrawFilter& filter, const std
         if (filter.alpha == DrawFilter::Alpha::MaskedOnly) key[0] = material.baseColorTexture;
         if (!filter.castersOnly) key = textureSet(material);
         const bool solid = !masked && !instance.mirrored && m_meshIsSolid[std::size_t(instance.mesh)];
-        const bool bothSides = !solid && material.doubleSided;
+        const bool bothSides = filter.castersOnly && !solid && material.doubleSided;
         groups[{!solid, bothSides, key}].push_back(
             {instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
     }

@@ -151,16 +151,17 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
     const std::vector<glm::vec2> centre{glm::vec2(0.0f)};
     std::vector<glm::vec2> points = centre;
     frame.view = frame.centredView;
-    if (!isNeutral(settings.aa))
-        for (const auto& technique : slots.get("aa", settings.aa, frame)) {
-            const bool isFirst = &technique == &slots.get("aa", settings.aa, frame).front();
+    if (!isNeutral(settings.aa)) {
+        const auto& techniques = slots.get("aa", settings.aa, frame);
+        for (const auto& technique : techniques) {
             const auto asked = static_cast<AaTechnique&>(*technique).samplePoints(frame);
-            if (isFirst)
+            if (&technique == &techniques.front())
                 points = asked;
             else if (asked != centre)
                 throw Error(ErrorCode::Usage, fmt::format("{} takes samples of its own", technique->entry().id()),
                             "put it first in the pipeline");
         }
+    }
     // Only the last picture of a frame is seen: what informs is taken from it.
     const bool captures = recorder.capturing;
     FrameTargets produced;

@@ -85,8 +85,7 @@ struct Renderer::Impl {
     /// The picture of every point that the anti-aliasing technique asks for. Gives what the last one left.
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
     FrameTargets renderSample(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
-    /// Frames to draw before those that count, so that what gathers over frames has settled; 0 where nothing does, or
-    /// where it goes on with the history of an earlier call.
+    /// Frames to draw before those that count, so that what gathers over frames has settled; 0 where nothing does.
     int settlingFrames(const RenderSettings& settings) const;
     LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
     void noteShadow(const LightFrame& light, const ShadowTechnique& technique);

@@ -49,9 +49,10 @@ vec2 owenSobolPoint(uint index, uint seed) {
                 unitFromBits(owenScramble(sobolSecond(shuffled), hashOf(seed, 2u))));
 }
 
+// Interleaved gradient noise (Jimenez 2014), [0,1).
+float gradientNoise(vec2 px) { return fract(52.9829189 * fract(dot(px, vec2(0.06711056, 0.00583715)))); }
+
 // One Sobol set for all pixels, moved by interleaved gradient noise (Jimenez 2014), so that neighbours share few errors.
 vec2 rotatedSobolPoint(uint index, uint seed, vec2 px) {
-    vec2 offset = vec2(fract(52.9829189 * fract(dot(px, vec2(0.06711056, 0.00583715)))),
-                       fract(52.9829189 * fract(dot(px.yx + 5.588238, vec2(0.06711056, 0.00583715)))));
-    return fract(owenSobolPoint(index, seed) + offset);
+    return fract(owenSobolPoint(index, seed) + vec2(gradientNoise(px), gradientNoise(px.yx + 5.588238)));
 }

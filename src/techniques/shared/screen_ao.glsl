@@ -89,9 +89,6 @@ void aoFrame(vec3 n, out vec3 t, out vec3 b) {
     b = vec3(c, side + n.y * n.y * a, -n.y);
 }
 
-// Interleaved gradient noise (Jimenez 2014).
-float aoGradientNoise(vec2 p) { return fract(52.9829189 * fract(dot(p, vec2(0.06711056, 0.00583715)))); }
-
 // Two numbers of [0,1) for a pixel, by the technique's `rotation`: a share of a full turn, and one more that is independent of it.
 vec2 aoNoise(ivec2 px) {
     uint seed = frame.random.x;
@@ -100,7 +97,7 @@ vec2 aoNoise(ivec2 px) {
 #elif ROTATION == ROTATION_GRADIENT
     // Each seed looks at another part of the pattern.
     vec2 p = vec2(px) + 5.588238 * float(seed & 63u);
-    return vec2(aoGradientNoise(p), aoGradientNoise(p.yx + vec2(47.0, 17.0)));
+    return vec2(gradientNoise(p), gradientNoise(p.yx + vec2(47.0, 17.0)));
 #elif ROTATION == ROTATION_HASH
     uint first = hashOf(hashOf(uint(px.y), seed), uint(px.x));
     return vec2(unitFromBits(first), unitFromBits(hashOf(first, 0x68bc21ebu)));

@@ -59,7 +59,7 @@ inline constexpr unsigned kFirstAoUnit = kFirstFreeUnit + 2;
 /// Draws occlusion over the picture, or over a quarter of its pixels and then over the rest from these.
 class ScreenAo {
 public:
-    /// @param name of the pass that is timed: the technique's id
+    /// In a pass named by the technique's id.
     void render(FrameContext& frame, Technique& technique, const ScreenAoParams& params, const ScreenAoPass& pass,
                 const gl::Texture& visibility);
 
