@@ -209,6 +209,36 @@ TEST(TruthKinds, OwnIntegratesWhatIsClaimed) {
     }
 }
 
+/// The cosine between the normal and the way to the eye.
+class TowardsTheEye final : public AoIntegrand {
+public:
+    double sample(const AoReceiver& receiver, const AoProbe&, const glm::vec4&) const override {
+        return glm::dot(receiver.toEye, receiver.normal);
+    }
+};
+
+TEST(TruthKinds, OwnKnowsTheWayToTheEye) {
+    Scene scene;
+    test::add(scene, test::slab(-3, 3, 3, 0));
+    const Reference reference(scene);
+    const TowardsTheEye integrand;
+    for (const bool orthographic : {false, true}) {
+        Camera camera = test::camera({1, 0, 1}, {0, 0, 0});
+        if (orthographic) camera.orthoHeight_m = 0.1f;
+        auto options = test::picture(8, 8, 64);
+        options.kind = TruthKind::Own;
+        options.integrand = &integrand;
+        const AoTruth truth = reference.ao(reference.receivers(camera, options), camera, options);
+        // 45 degrees in the middle; of a perspective camera more towards the top row, of an orthographic one nowhere.
+        const double top = double(truth.visibility[3]), bottom = double(truth.visibility[59]);
+        EXPECT_NEAR((top + bottom) / 2, std::sqrt(0.5), 0.03);
+        if (orthographic)
+            EXPECT_NEAR(top, bottom, 1e-6);
+        else
+            EXPECT_LT(top, bottom - 0.1);
+    }
+}
+
 TEST(TruthKinds, NamesFitTheirQuantity) {
     EXPECT_EQ(truthKindFromName("T5-ball", Quantity::Ao), TruthKind::T5Ball);
     for (const char* name : {"T9", "slef", "", "shadow ao"}) EXPECT_THROW(truthKindFromName(name), Error) << name;
