@@ -49,7 +49,7 @@ struct AoMarch {
     const Met& operator[](int i) const { return first[i * stride]; }
 };
 
-/// The mean over u and v, even in [0,1), is fold() over a march of 256 steps, at a twelfth of its cost: the march is
+/// The mean over u and v, even in [0,1), is fold() over a march of 256 steps, at a fourteenth of its cost: the march is
 /// one of 8, 16, ... 256 steps, drawn with probability, of which each coarser one is a part; fold() of 4 steps takes
 /// the drawn difference between two of them, by its probability (Rhee and Glynn 2015).
 /// @param look Met(double), what is met at a share of the way
