@@ -230,7 +230,8 @@ TEST(TruthKinds, OwnKnowsTheWayToTheEye) {
         options.kind = TruthKind::Own;
         options.integrand = &integrand;
         const AoTruth truth = reference.ao(reference.receivers(camera, options), camera, options);
-        // 45 degrees in the middle; across the tilt a perspective camera has one edge steeper, an orthographic one none.
+        // 45 degrees in the middle; across the tilt a perspective camera has one edge steeper, an orthographic one
+        // none.
         const double left = double(truth.visibility[24]), right = double(truth.visibility[31]);
         EXPECT_NEAR((left + right) / 2, std::sqrt(0.5), 0.06);
         if (orthographic)
