@@ -15,6 +15,7 @@ struct AoReceiver {
     glm::dvec3 up{0, 1, 0};             ///< of the picture, unit
     double sceneRadius_m = 0;           ///< the scene's ao_radius_m
     double sceneDiagonal_m = 0;         ///< of its bounds
+    glm::dvec3 toEye{0, 1, 0};          ///< unit; of an orthographic camera against its view axis
 };
 
 /// What an integrand may ask of the scene at one receiver.

@@ -209,6 +209,38 @@ TEST(TruthKinds, OwnIntegratesWhatIsClaimed) {
     }
 }
 
+/// The cosine between the normal and the way to the eye.
+class TowardsTheEye final : public AoIntegrand {
+public:
+    double sample(const AoReceiver& receiver, const AoProbe&, const glm::vec4&) const override {
+        return glm::dot(receiver.toEye, receiver.normal);
+    }
+};
+
+TEST(TruthKinds, OwnKnowsTheWayToTheEye) {
+    Scene scene;
+    test::add(scene, test::slab(-3, 3, 3, 0));
+    scene.aoRadius_m = 1;
+    const Reference reference(scene);
+    const TowardsTheEye integrand;
+    for (const bool orthographic : {false, true}) {
+        Camera camera = test::camera({1, 0, 1}, {0, 0, 0});
+        if (orthographic) camera.orthoHeight_m = 0.1f;
+        auto options = test::picture(8, 8, 64);
+        options.kind = TruthKind::Own;
+        options.integrand = &integrand;
+        const AoTruth truth = reference.ao(reference.receivers(camera, options), camera, options);
+        // 45 degrees in the middle; across the tilt a perspective camera has one edge steeper, an orthographic one
+        // none.
+        const double left = double(truth.visibility[24]), right = double(truth.visibility[31]);
+        EXPECT_NEAR((left + right) / 2, std::sqrt(0.5), 0.06);
+        if (orthographic)
+            EXPECT_NEAR(left, right, 1e-6);
+        else
+            EXPECT_GT(std::abs(left - right), 0.1);
+    }
+}
+
 TEST(TruthKinds, NamesFitTheirQuantity) {
     EXPECT_EQ(truthKindFromName("T5-ball", Quantity::Ao), TruthKind::T5Ball);
     for (const char* name : {"T9", "slef", "", "shadow ao"}) EXPECT_THROW(truthKindFromName(name), Error) << name;
