@@ -10,8 +10,4 @@ double obscuranceFrom(const AoReceiver& receiver, const glm::dvec3& v, double bi
     return std::max(0.0, rise_m - bias_m) / (glm::dot(v, v) + epsilon_m * epsilon_m);
 }
 
-double ownSurfaceShare(const AoReceiver& receiver) {
-    return 0.5 - 0.5 * glm::dot(receiver.shadingNormal, receiver.normal);
-}
-
 }  // namespace ombrage

@@ -9,10 +9,3 @@ float obscuranceFrom(AoPoint at, vec3 v, float bias_m, float epsilon_m) {
     float rise_m = min(dot(v, at.n_view), dot(v, at.ng_view));
     return max(0.0, rise_m - bias_m) / (dot(v, v) + epsilon_m * epsilon_m);
 }
-
-// The visibility, where `occlusion` is the mean of what surfaces above n_g's plane take away. Of the directions about n_s, weighted
-// by their cosine, those below that plane are blocked by the receiver's own surface.
-float obscuranceShown(AoPoint at, float occlusion) {
-    float own = 0.5 - 0.5 * dot(at.n_view, at.ng_view);
-    return clamp(1.0 - own - occlusion, 0.0, 1.0);
-}

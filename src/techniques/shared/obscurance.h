@@ -10,8 +10,4 @@ namespace ombrage {
 /// receiver, with the lower of its heights over the planes of n_s and n_g.
 double obscuranceFrom(const AoReceiver& receiver, const glm::dvec3& v, double bias_m, double epsilon_m);
 
-/// The share of the directions about n_s, weighted by their cosine, that the receiver's own surface blocks: those below
-/// n_g's plane.
-double ownSurfaceShare(const AoReceiver& receiver);
-
 }  // namespace ombrage

@@ -33,5 +33,5 @@ void main() {
 
     // sigma counts in radii: the sum has the unit 1/m, so that metres would make the answer depend on the scene's scale.
     float occlusion = total > 0 ? 2.0 * params.intensity * at.radius_m * sum / float(total) : 0.0;
-    o_visibility = pow(obscuranceShown(at, occlusion), params.contrast);
+    o_visibility = pow(clamp(1.0 - aoOwnShare(at) - occlusion, 0.0, 1.0), params.contrast);
 }

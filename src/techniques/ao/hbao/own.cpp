@@ -37,10 +37,10 @@ public:
         const double theta = 4 * kHalfPi * double(u.x);
         const glm::dvec3 aside = x * std::cos(theta) + y * std::sin(theta);
 
-        // The own surface as far as it hides directions above n_s's plane, then what rises over the biased horizon.
-        const double own_rad = tangentAngle(receiver.shadingNormal, aside, toEye);
-        const double start_rad = std::max(own_rad, tangentAngle(receiver.normal, aside, toEye));
-        double occlusion = std::sin(start_rad) - std::sin(own_rad);
+        // What rises over the biased horizon, beside the own surface between the planes of n_s and n_g.
+        const double start_rad =
+            std::max(tangentAngle(receiver.shadingNormal, aside, toEye), tangentAngle(receiver.normal, aside, toEye));
+        double occlusion = ownSurfaceShare(receiver);
         double horizon = std::sin(std::min(kHalfPi, start_rad + double(m_params.angleBias_rad)));
         for (int i = 0; i < kSteps; ++i) {
             const auto v = probe.seenTowards(aside * (radius_m * (i + double(u.y)) / kSteps));

@@ -47,5 +47,5 @@ void main() {
     // sigma, beta and epsilon count in radii, as in the paper at its r of 1 m: the quotient has the unit 1/m, so that metres would
     // make the answer depend on the scene's scale.
     float occlusion = total > 0 ? 5.0 * params.intensity * at.radius_m * sum / float(total) : 0.0;
-    o_visibility = obscuranceShown(at, occlusion);
+    o_visibility = clamp(1.0 - aoOwnShare(at) - occlusion, 0.0, 1.0);
 }
