@@ -39,6 +39,10 @@ ParamTable screenAoTable(std::vector<ParamField> own, const ScreenAoParams& defa
     return ParamTable(std::move(own));
 }
 
+double ownSurfaceShare(const AoReceiver& receiver) {
+    return 0.5 - 0.5 * glm::dot(receiver.shadingNormal, receiver.normal);
+}
+
 glm::ivec2 receiversOf(const FrameContext& frame, const ScreenAoParams& params) {
     const glm::ivec2 size(frame.width, frame.height);
     return params.pixels == AoPixels::Full ? size : (size + 1) / 2;

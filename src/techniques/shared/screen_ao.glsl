@@ -52,6 +52,9 @@ bool aoPoint(out AoPoint at) {
     return true;
 }
 
+// Of the directions about n_s, weighted by their cosine, the share that lies below n_g's plane: blocked by the receiver's own surface.
+float aoOwnShare(AoPoint at) { return 0.5 - 0.5 * dot(at.n_view, at.ng_view); }
+
 // Unit vector towards the eye.
 vec3 aoToEye(AoPoint at) { return isOrthographic() ? vec3(0.0, 0.0, 1.0) : normalize(-at.p_view); }
 

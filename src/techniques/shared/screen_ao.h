@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <ombrage/ao_integrand.h>
+
 #include "core/param_table.h"
 #include "gl/objects.h"
 #include "render/frame_context.h"
@@ -73,6 +75,9 @@ private:
     gl::Texture m_blueNoise;
     ViewDepths m_depths;
 };
+
+/// aoOwnShare() for integrands: of the directions about n_s, weighted by their cosine, the share below n_g's plane.
+double ownSurfaceShare(const AoReceiver& receiver);
 
 /// How many receivers there are across and down.
 glm::ivec2 receiversOf(const FrameContext& frame, const ScreenAoParams& params);
