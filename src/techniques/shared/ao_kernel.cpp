@@ -7,6 +7,9 @@ namespace ombrage {
 
 namespace {
 
+constexpr double kGoldenAngle = 2.39996322972865332;
+constexpr double kPlastic = 0.7548776662466927;  // 1 / the plastic number: even with any other coordinate
+
 /// Solves cdf(x) = u on [0,1] for a growing cdf.
 template <typename Cdf>
 double invert(Cdf cdf, double u) {
@@ -73,8 +76,6 @@ Radius elevation(AoDistribution distribution, double u) {
 }  // namespace
 
 std::vector<glm::vec4> aoKernel(AoOffsets offsets, AoDistribution distribution, int count) {
-    constexpr double kGoldenAngle = 2.39996322972865332;
-    constexpr double kPlastic = 0.7548776662466927;  // 1 / the plastic number: even with any other coordinate
     std::vector<glm::vec4> kernel;
     for (int i = 0; i < count; ++i) {
         // A golden spiral: radii stratified, angles even (Vogel 1979).
@@ -90,6 +91,17 @@ std::vector<glm::vec4> aoKernel(AoOffsets offsets, AoDistribution distribution, 
         const double across = radius.length * std::sqrt(1 - height.length * height.length);
         kernel.emplace_back(across * std::cos(angle), across * std::sin(angle), radius.length * height.length,
                             radius.weight * height.weight);
+    }
+    return kernel;
+}
+
+std::vector<glm::vec4> aoBallKernel(int count) {
+    std::vector<glm::vec4> kernel;
+    for (int i = 0; i < count; ++i) {
+        // A spiral from pole to pole, heights stratified; lengths even in volume.
+        const double z = 1 - 2 * (i + 0.5) / count, angle = i * kGoldenAngle, across = std::sqrt(1 - z * z);
+        const double v = 0.5 + i * kPlastic, length = std::cbrt(v - std::floor(v));
+        kernel.emplace_back(length * across * std::cos(angle), length * across * std::sin(angle), length * z, 1);
     }
     return kernel;
 }

@@ -24,6 +24,9 @@ enum class AoDistribution { Uniform, Cosine, Importance };
 ///   their density (on the half ball by a mixture whose weights stay below 2.1).
 std::vector<glm::vec4> aoKernel(AoOffsets offsets, AoDistribution distribution, int count);
 
+/// Points even in the unit ball (w is 1), before their reflection from pixel to pixel.
+std::vector<glm::vec4> aoBallKernel(int count);
+
 }  // namespace ombrage
 
 namespace ombrage {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "techniques/shared/screen_ao.h"
+
+namespace ombrage::volumetric {
+
+enum class Sampling { Points, Lines, Areas };
+
+struct VolumetricParams : ScreenAoParams {
+    Sampling sampling = Sampling::Lines;
+    int samples = 9;
+    bool clip = true;
+    float thickness = 0.0f;
+
+    static ParamTable describe();
+};
+
+}  // namespace ombrage::volumetric
+
+namespace ombrage {
+
+template <>
+struct EnumChoices<volumetric::Sampling> {
+    static std::vector<std::string> names() { return {"points", "lines", "areas"}; }
+};
+
+}  // namespace ombrage
