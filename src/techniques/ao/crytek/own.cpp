@@ -16,21 +16,25 @@ public:
     double sample(const AoReceiver& receiver, const AoProbe& probe, const glm::vec4& u) const override {
         const double radius_m = m_params.radiusIn(receiver.sceneRadius_m, receiver.sceneDiagonal_m);
         const glm::dvec3 point = ballPoint(double(u.x), double(u.y), double(u.z)) * radius_m;
-        double open = 1;
-        if (const auto found = probe.seenTowards(point)) {
-            if (depthBetween(receiver, *found, point) > 0) open = 0;
-            // What stands far in front of the receiver counts as a flat surface would.
-            const double reach_m = double(m_params.range) * radius_m;
-            const double before_m = depthBetween(receiver, *found, glm::dvec3(0));
-            if (before_m > reach_m) {
-                const double unknown = reach_m > 0 ? std::min(before_m / reach_m - 1, 1.0) : 1.0;
-                open += (0.5 - open) * unknown;
-            }
-        }
+        // With its opposite: the same mean, and no noise on flat surfaces.
+        const double open =
+            0.5 * (openAt(receiver, probe, point, radius_m) + openAt(receiver, probe, -point, radius_m));
         return m_params.remap ? 2 * open : open;
     }
 
 private:
+    double openAt(const AoReceiver& receiver, const AoProbe& probe, const glm::dvec3& point, double radius_m) const {
+        const auto found = probe.seenTowards(point);
+        if (!found) return 1;
+        const double open = depthBetween(receiver, *found, point) > 0 ? 0 : 1;
+        // What stands far in front of the receiver counts as a flat surface would.
+        const double reach_m = double(m_params.range) * radius_m;
+        const double before_m = depthBetween(receiver, *found, glm::dvec3(0));
+        if (before_m <= reach_m) return open;
+        const double unknown = reach_m > 0 ? std::min(before_m / reach_m - 1, 1.0) : 1.0;
+        return open + (0.5 - open) * unknown;
+    }
+
     const CrytekParams m_params;
 };
 

@@ -27,6 +27,11 @@ ParamTable VolumetricParams::describe() {
              .help(
                  "How many of them per pixel; the paper compares 33 points, 9 lines and 1 area. More cost time, fewer "
                  "give noise (points, lines) or blur (areas)."),
+         field(&P::depths, "depths")
+             .effect(ParamEffect::Define)
+             .help(
+                 "Of areas: normal takes the depths for a normal distribution; steps for a share of the tangent plane "
+                 "and one of a surface over it, which keeps what stands far in front from darkening all around."),
          field(&P::clip, "clip")
              .effect(ParamEffect::Define)
              .help("Takes the half of the ball over the tangent plane; without it the whole ball, of which a flat "

@@ -47,16 +47,24 @@ struct Line {
 };
 
 // How much of a line lies under a surface at a height, or at heights of a mean and a deviation.
-#if SAMPLING == SAMPLING_LINES
 float partUnder(Line line, float height) { return clamp(height, line.low, line.high) - line.low; }
-#else
+
+#if SAMPLING == SAMPLING_AREAS && DEPTHS == DEPTHS_STEPS
+// A share f of it rises over the rest by H, where f H is the mean rise and f H^2 the mean square.
+float partUnder(Line line, float plane, float rise, float deviation) {
+    float square = rise * rise + deviation * deviation;
+    float under = partUnder(line, plane);
+    if (rise <= 0.0) return under;
+    return mix(under, partUnder(line, plane + square / rise), rise * rise / square);
+}
+#elif SAMPLING == SAMPLING_AREAS
 // ln(1 + e^x)
 float softPlus(float x) { return max(x, 0.0) + log(1.0 + exp(-abs(x))); }
 
 // Of a normal distribution, with the logistic function for its integral (Bowling et al. 2009).
-float partUnder(Line line, float mean, float deviation) {
-    float scale = deviation / 1.702;
-    if (scale < 1e-4 * (line.high - line.low)) return clamp(mean, line.low, line.high) - line.low;
+float partUnder(Line line, float plane, float rise, float deviation) {
+    float mean = plane + rise, scale = deviation / 1.702;
+    if (scale < 1e-4 * (line.high - line.low)) return partUnder(line, mean);
     return scale * (softPlus((mean - line.low) / scale) - softPlus((mean - line.high) / scale));
 }
 #endif
@@ -145,8 +153,8 @@ vec2 freeOf(AoPoint at) {
         float height = -dot(at.ng_view, line.aside) * alongSight(at.ng_view, eye);
         for (int coarser = 0; coarser < 2; ++coarser) {
             vec2 heights = heightsAt(at, line.at_px, plane, metres, finer + coarser);
-            float part = partUnder(line, height + heights.x, heights.y);
-            if (thickness_m > 0.0) part -= partUnder(line, height + heights.x - thickness_m, heights.y);
+            float part = partUnder(line, height, heights.x, heights.y);
+            if (thickness_m > 0.0) part -= partUnder(line, height - thickness_m, heights.x, heights.y);
             hidden += part * (coarser == 1 ? level - float(finer) : 1.0 - level + float(finer));
         }
 #endif
