@@ -6,7 +6,7 @@
 namespace ombrage::crytek {
 
 struct CrytekParams : ScreenAoParams {
-    int pairs = 8;
+    int pairs = 16;
     float range = 1.0f;
     bool remap = true;
 
