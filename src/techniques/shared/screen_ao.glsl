@@ -92,6 +92,26 @@ void aoFrame(vec3 n, out vec3 t, out vec3 b) {
     b = vec3(c, side + n.y * n.y * a, -n.y);
 }
 
+// A unit vector from two numbers of [0,1), even on the sphere: kernels of points are reflected about it.
+vec3 aoUnit(vec2 u) {
+    float z = 1.0 - 2.0 * u.x, angle = AO_TWO_PI * u.y;
+    return vec3(sqrt(max(0.0, 1.0 - z * z)) * vec2(cos(angle), sin(angle)), z);
+}
+
+// A point of view space, as seen through the middle of its pixel, lies behind the receiver's own surface by rounding alone where it is over
+// the tangent plane: its depth along the view axis, negative like q_view.z, not let behind that plane. A thousandth of the radius covers
+// normals and depths as stored.
+float aoClippedZ(AoPoint at, vec3 q_view, vec2 at_px) {
+    if (dot(q_view - at.p_view, at.ng_view) < 0.0) return q_view.z;
+    vec2 plane = ((floor(at_px) + 0.5) * frameViewport.zw * 2.0 - 1.0) * frameProjection.zw;
+    vec3 n = at.ng_view;
+    float height = dot(n, at.p_view) + 0.001 * at.radius_m;
+    if (isOrthographic()) return n.z > 1e-4 ? max(q_view.z, (height - dot(n.xy, plane)) / n.z) : q_view.z;
+    // Sight lines that pass over the plane meet it nowhere.
+    float along = dot(n, vec3(plane, -1.0));
+    return along < 0.0 && height < 0.0 ? max(q_view.z, -height / along) : q_view.z;
+}
+
 // Two numbers of [0,1) for a pixel, by the technique's `rotation`: a share of a full turn, and one more that is independent of it.
 vec2 aoNoise(ivec2 px) {
     uint seed = frame.random.x;

@@ -45,7 +45,7 @@ class Blocks final : public ScreenAoTechniqueOf<BlocksParams> {
 protected:
     ScreenAoPass pass(FrameContext&) override {
         return {.fragmentPath = "ao/blocks/blocks.frag", .bind = [this](const gl::Program& program) {
-                    const std::vector<glm::vec4> kernel = makeKernel(p().offsets, p().kernel, p().samples);
+                    const std::vector<glm::vec4> kernel = aoKernel(p().offsets, p().kernel, p().samples);
                     program.set("u_kernel", kernel.data(), p().samples);
                 }};
     }

@@ -3,25 +3,26 @@
 
 #include <gtest/gtest.h>
 
-#include "techniques/ao/blocks/kernel.h"
+#include "techniques/shared/ao_kernel.h"
 
 namespace ombrage::blocks {
 namespace {
 
-constexpr Offsets kOffsets[] = {Offsets::Screen, Offsets::Hemisphere};
-constexpr Distribution kDistributions[] = {Distribution::Uniform, Distribution::Cosine, Distribution::Importance};
+constexpr AoOffsets kOffsets[] = {AoOffsets::Screen, AoOffsets::Hemisphere};
+constexpr AoDistribution kDistributions[] = {AoDistribution::Uniform, AoDistribution::Cosine,
+                                             AoDistribution::Importance};
 
 TEST(BlocksKernel, LiesInItsDomainWithWeightsOfMeanOne) {
-    for (const Offsets offsets : kOffsets)
-        for (const Distribution distribution : kDistributions)
+    for (const AoOffsets offsets : kOffsets)
+        for (const AoDistribution distribution : kDistributions)
             for (const int count : {16, 32, 64}) {
-                const auto kernel = makeKernel(offsets, distribution, count);
+                const auto kernel = aoKernel(offsets, distribution, count);
                 ASSERT_EQ(int(kernel.size()), count);
                 double weights = 0;
                 for (const glm::vec4& k : kernel) {
                     EXPECT_LE(glm::length(glm::vec3(k)), 1.0f + 1e-6f);
                     EXPECT_GE(k.z, 0.0f);
-                    EXPECT_TRUE(offsets == Offsets::Hemisphere || k.z == 0.0f);
+                    EXPECT_TRUE(offsets == AoOffsets::Hemisphere || k.z == 0.0f);
                     EXPECT_GT(k.w, 0.0f);
                     weights += double(k.w);
                 }
@@ -32,10 +33,10 @@ TEST(BlocksKernel, LiesInItsDomainWithWeightsOfMeanOne) {
 
 // Integrals with closed forms, by 4096 points. Strata leave errors far under 0.01; a wrong density misses by 0.05 and
 // more.
-double meanOf(Offsets offsets, Distribution distribution, double (*f)(const glm::dvec3&)) {
+double meanOf(AoOffsets offsets, AoDistribution distribution, double (*f)(const glm::dvec3&)) {
     double sum = 0;
     constexpr int kCount = 4096;
-    for (const glm::vec4& k : makeKernel(offsets, distribution, kCount)) sum += double(k.w) * f(glm::dvec3(k));
+    for (const glm::vec4& k : aoKernel(offsets, distribution, kCount)) sum += double(k.w) * f(glm::dvec3(k));
     return sum / kCount;
 }
 
@@ -48,19 +49,19 @@ double height(const glm::dvec3& p) {
 }
 
 TEST(BlocksKernel, EvenAndImportanceKernelsHaveOneIntegral) {
-    for (const Distribution distribution : {Distribution::Uniform, Distribution::Importance}) {
+    for (const AoDistribution distribution : {AoDistribution::Uniform, AoDistribution::Importance}) {
         // Disk: the mean of 1 - rho^2 is 1/2. Half ball: that of 1 - t^2 is 1 - 3/5, and of z is 3/8.
-        EXPECT_NEAR(meanOf(Offsets::Screen, distribution, falloff), 0.5, 0.01);
-        EXPECT_NEAR(meanOf(Offsets::Hemisphere, distribution, falloff), 0.4, 0.01);
-        EXPECT_NEAR(meanOf(Offsets::Hemisphere, distribution, height), 0.375, 0.01);
+        EXPECT_NEAR(meanOf(AoOffsets::Screen, distribution, falloff), 0.5, 0.01);
+        EXPECT_NEAR(meanOf(AoOffsets::Hemisphere, distribution, falloff), 0.4, 0.01);
+        EXPECT_NEAR(meanOf(AoOffsets::Hemisphere, distribution, height), 0.375, 0.01);
     }
 }
 
 TEST(BlocksKernel, TheDisksCosineKernelIsTheShadowOfTheBalls) {
     // Mean of rho^2: lengths of density 2 t have a mean square of 1/2, cosine-weighted directions a mean sin^2 of 1/2.
     const auto across2 = [](const glm::dvec3& p) { return p.x * p.x + p.y * p.y; };
-    EXPECT_NEAR(meanOf(Offsets::Hemisphere, Distribution::Cosine, across2), 0.25, 0.005);
-    EXPECT_NEAR(meanOf(Offsets::Screen, Distribution::Cosine, across2), 0.25, 0.005);
+    EXPECT_NEAR(meanOf(AoOffsets::Hemisphere, AoDistribution::Cosine, across2), 0.25, 0.005);
+    EXPECT_NEAR(meanOf(AoOffsets::Screen, AoDistribution::Cosine, across2), 0.25, 0.005);
 }
 
 }  // namespace

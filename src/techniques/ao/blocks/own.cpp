@@ -31,9 +31,9 @@ public:
 private:
     /// A point of the kernel's distribution in units of the radius. Importance sampling has the integral of `uniform`.
     glm::dvec3 offset(const AoReceiver& receiver, const glm::vec4& u) const {
-        const bool isCosine = m_params.kernel == Distribution::Cosine;
+        const bool isCosine = m_params.kernel == AoDistribution::Cosine;
         const double phi = kTwoPi * double(u.y);
-        if (m_params.offsets == Offsets::Screen) {
+        if (m_params.offsets == AoOffsets::Screen) {
             // Even in the disk; or the shadow of cosine-weighted directions (sine^2 even) with lengths of density 2t.
             const double rho = std::sqrt(isCosine ? double(u.x) * double(u.z) : double(u.x));
             return receiver.right * (rho * std::cos(phi)) + receiver.up * (rho * std::sin(phi));

@@ -8,10 +8,10 @@
 
 #include "core/param_table.h"
 
-namespace ombrage::blocks {
+namespace ombrage {
 
-enum class Offsets { Screen, Hemisphere };
-enum class Distribution { Uniform, Cosine, Importance };
+enum class AoOffsets { Screen, Hemisphere };
+enum class AoDistribution { Uniform, Cosine, Importance };
 
 /// The sample offsets of one pixel, before its rotation about z. xyz lies in the unit disk z = 0 (screen) or in the
 /// upper half of the unit ball (hemisphere, z along the normal); w is the sample's weight, which is 1 on the average
@@ -22,19 +22,22 @@ enum class Distribution { Uniform, Cosine, Importance };
 ///   that density grows towards the receiver as ln(1 / rho);
 /// - importance: the integral of `uniform`, with points put where the estimator's weights are large and divided by
 ///   their density (on the half ball by a mixture whose weights stay below 2.1).
-std::vector<glm::vec4> makeKernel(Offsets offsets, Distribution distribution, int count);
+std::vector<glm::vec4> aoKernel(AoOffsets offsets, AoDistribution distribution, int count);
 
-}  // namespace ombrage::blocks
+/// Points even in the unit ball (w is 1), before their reflection from pixel to pixel.
+std::vector<glm::vec4> aoBallKernel(int count);
+
+}  // namespace ombrage
 
 namespace ombrage {
 
 template <>
-struct EnumChoices<blocks::Offsets> {
+struct EnumChoices<AoOffsets> {
     static std::vector<std::string> names() { return {"screen", "hemisphere"}; }
 };
 
 template <>
-struct EnumChoices<blocks::Distribution> {
+struct EnumChoices<AoDistribution> {
     static std::vector<std::string> names() { return {"uniform", "cosine", "importance"}; }
 };
 
