@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "techniques/ambient_measure.h"
+#include "techniques/ao/baked/layout.h"
+#include "techniques/corner_picture.h"
+
+namespace ombrage::test {
+namespace {
+
+using baked::Block;
+using baked::Layout;
+using baked::Store;
+
+Layout layoutOf(const FlatScene& flat, Store store, std::uint64_t samples, int largest = 8192) {
+    return baked::makeLayout(flat, std::vector<bool>(flat.instances.size(), true), store, samples, largest);
+}
+
+TEST(BakedLayout, CornersOfABlockAreThoseOfItsTriangle) {
+    const Block block{0, 7, 3};
+    EXPECT_EQ(baked::weightsOf(block, 0, 0), glm::dvec3(1, 0, 0));
+    EXPECT_EQ(baked::weightsOf(block, 7, 0), glm::dvec3(0, 1, 0));
+    // The last row is one point.
+    for (const int i : {0, 4, 7}) EXPECT_EQ(baked::weightsOf(block, i, 3), glm::dvec3(0, 0, 1));
+    const glm::dvec3 w = baked::weightsOf(block, 2, 1);
+    EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-15);
+    EXPECT_NEAR(w.y, 2.0 / 3 * 2 / 7, 1e-15);
+}
+
+TEST(BakedLayout, BlocksOfBothSidesLieApart) {
+    const FlatScene flat = flatten(loadScene("cornell"));
+    const Layout layout = layoutOf(flat, Store::Texel, 50000);
+    std::vector<bool> taken(std::size_t(layout.width) * std::size_t(layout.height), false);
+    std::size_t texels = 0;
+    for (const Block& block : layout.blocks)
+        for (const glm::uvec2& place : block.place)
+            for (unsigned y = place.y; y <= place.y + block.up; ++y)
+                for (unsigned x = place.x; x <= place.x + block.across; ++x) {
+                    ASSERT_LT(int(x), layout.width);
+                    ASSERT_LT(int(y), layout.height);
+                    ASSERT_FALSE(taken[y * std::size_t(layout.width) + x]);
+                    taken[y * std::size_t(layout.width) + x] = true;
+                    ++texels;
+                }
+    // As many as were asked for, less what rounding up to whole texels takes.
+    EXPECT_LE(texels, 50000u);
+    EXPECT_GE(texels, 40000u);
+}
+
+TEST(BakedLayout, TexelsAreAsFarApartAsItSays) {
+    const FlatScene flat = flatten(loadScene("cornell"));
+    const Layout layout = layoutOf(flat, Store::Texel, 50000);
+    for (std::size_t t = 0; t < layout.blocks.size(); ++t) {
+        const Block& block = layout.blocks[t];
+        const glm::vec3 a = flat.positions[flat.triangles[t][block.first]],
+                        b = flat.positions[flat.triangles[t][(block.first + 1) % 3]];
+        EXPECT_LE(glm::distance(a, b) / float(block.across), layout.spacing_m * 1.00001f);
+    }
+}
+
+TEST(BakedLayout, VerticesNeedBlocksOfOneTexelAside) {
+    const FlatScene flat = flatten(loadScene("cornell"));
+    for (const Block& block : layoutOf(flat, Store::Vertex, 50000).blocks) EXPECT_TRUE(block.isCoarse());
+}
+
+TEST(BakedLayout, SaysWhatDoesNotFit) {
+    const FlatScene flat = flatten(loadScene("menger"));
+    EXPECT_THROW(layoutOf(flat, Store::Texel, 8000000, 1024), Error);
+}
+
+TEST(Baked, AWallHasItsClosedForm) {
+    // Texels of 0.5 m on 128 m of floor and wall; the curve bends by less than 0.01 between them but for the first
+    // metre. 1024 rays leave 0.01.
+    const CornerPicture picture(20, 64);
+    const std::vector<float> row = picture.row("ao/baked:radius=16,samples=1024,texels=400000");
+    for (std::size_t i = 0; i < row.size(); ++i)
+        EXPECT_NEAR(row[i], CornerPicture::nearWall(double(i) + 0.5, 16), i == 0 ? 0.03 : 0.015) << i;
+}
+
+TEST(Baked, EachSideOfASheetHasItsOwn) {
+    // A sheet that hangs 1 m over another, its front up or down: seen from above it is open either way.
+    for (const bool isFrontUp : {true, false}) {
+        Scene scene = emptyScene(64);
+        addQuad(scene, {{-60, -60, 0}, {60, -60, 0}, {60, 60, 0}, {-60, 60, 0}}, 0.0f);
+        std::vector<glm::vec3> sheet{{-50, -50, 1}, {50, -50, 1}, {50, 50, 1}, {-50, 50, 1}};
+        if (!isFrontUp) std::reverse(sheet.begin(), sheet.end());
+        addQuad(scene, sheet, 0.0f);
+        RenderSettings settings = squareSettings(64);
+        settings.ao = parsePipeline(Family::Ao, "ao/baked:texels=20000");
+        const RenderResult above = renderFlat(scene, settings);
+        for (const float v : above.ao->plane(0)) ASSERT_EQ(v, 1.0f) << isFrontUp;
+
+        // From below, under the lower one taken away, the upper one's other side looks at nothing either; with it in
+        // place the eye between both sees what 8 m of rays to a plane 1 m away leave: c^2 = 1/64.
+        scene.cameras[0].position.z = 0.5;
+        scene.cameras[0].target.z = 10;
+        scene.cameras[0].up = {0, 1, 0};
+        const RenderResult between = renderFlat(scene, settings);
+        for (const float v : between.ao->plane(0)) ASSERT_NEAR(v, 1.0 / 64, 0.02) << isFrontUp;
+    }
+}
+
+/// A cache folder that goes away with the test.
+struct TemporaryFolder {
+    std::filesystem::path path =
+        std::filesystem::temp_directory_path() /
+        ("ombrage-baked-test-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "-" +
+         std::to_string(std::uintptr_t(this)));
+    TemporaryFolder() { std::filesystem::create_directories(path); }
+    ~TemporaryFolder() { std::filesystem::remove_all(path); }
+
+    std::vector<std::filesystem::path> bakes() const {
+        std::vector<std::filesystem::path> found;
+        for (const auto& entry : std::filesystem::directory_iterator(path))
+            if (entry.path().extension() == ".ao") found.push_back(entry.path());
+        return found;
+    }
+};
+
+TEST(Baked, IsKeptWithTheSceneAndReused) {
+    const TemporaryFolder folder;
+    RendererOptions options;
+    options.cache = folder.path.string();
+    const Scene scene = loadScene("cornell");
+    const RenderSettings settings = AmbientMeasure::settings("ao/baked:texels=20000,samples=16");
+    const auto draw = [&](const Scene& shown) {
+        Renderer renderer(options);
+        renderer.setScene(shown);
+        return measuredPlane(renderer.render(settings), Family::Ao);
+    };
+    const std::vector<float> first = draw(scene);
+    ASSERT_EQ(folder.bakes().size(), 1u);
+    EXPECT_EQ(draw(scene), first);
+
+    // What the file says is what is shown: another run has no need to bake.
+    const std::filesystem::path file = folder.bakes().front();
+    const auto size = std::filesystem::file_size(file);
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << std::string(size, '\0');
+    const std::vector<float> empty = draw(scene);
+    EXPECT_EQ(*std::max_element(empty.begin(), empty.end()), 0.0f);
+    // One of another length is made again.
+    std::filesystem::resize_file(file, size / 2);
+    EXPECT_EQ(draw(scene), first);
+    EXPECT_EQ(std::filesystem::file_size(file), size);
+
+    // Lights and cameras change no occlusion, geometry does.
+    Scene other = scene;
+    other.lights[0].position.x += 0.1;
+    draw(other);
+    EXPECT_EQ(folder.bakes().size(), 1u);
+    other.instances.back().worldFromLocal[3].x += 0.1;
+    draw(other);
+    EXPECT_EQ(folder.bakes().size(), 2u);
+}
+
+TEST(Baked, WhatMovesIsBakedAnewAndNotKept) {
+    const TemporaryFolder folder;
+    RendererOptions options;
+    options.cache = folder.path.string();
+    const Scene scene = loadScene("cornell");
+    Renderer renderer(options);
+    renderer.setScene(scene);
+    const RenderSettings settings = AmbientMeasure::settings("ao/baked:texels=20000,samples=16");
+    const std::vector<float> before = measuredPlane(renderer.render(settings), Family::Ao);
+    Scene moved = scene;
+    moved.instances.back().worldFromLocal[3].x -= 0.2;
+    renderer.moveScene(moved);
+    const std::vector<float> after = measuredPlane(renderer.render(settings), Family::Ao);
+    EXPECT_NE(after, before);
+    EXPECT_EQ(after, measuredPlane(renderScene(moved, settings), Family::Ao));
+    EXPECT_EQ(folder.bakes().size(), 1u);
+}
+
+TEST(Baked, VerticesAreEnoughForFineModels) {
+    // 36,000 triangles: between the vertices of the sponge little changes; its floor of a few large ones has texels
+    // alone.
+    const AmbientMeasure measure("sphere", "T1", 512);
+    EXPECT_GE(*measure.of("ao/baked").at("psnr"), 24.0);
+    EXPECT_LT(*measure.of("ao/baked:store=vertex").at("psnr"), *measure.of("ao/baked").at("psnr"));
+}
+
+}  // namespace
+}  // namespace ombrage::test
