@@ -14,6 +14,7 @@ struct AoReceiver {
     glm::dvec3 right{1, 0, 0};          ///< of the picture, unit
     glm::dvec3 up{0, 1, 0};             ///< of the picture, unit
     double sceneRadius_m = 0;           ///< the scene's ao_radius_m
+    double sceneDiagonal_m = 0;         ///< of its bounds
 };
 
 /// What an integrand may ask of the scene at one receiver.

@@ -85,6 +85,8 @@ public:
 
     void setFilter(GLenum minFilter, GLenum magFilter);
     void setWrap(GLenum wrap);
+    /// From now on the sampler sees these levels alone: one may then be drawn while another is read.
+    void setLevels(int first, int last);
     void setBorder(const glm::vec4& color);  ///< and GL_CLAMP_TO_BORDER
     void setCompare(GLenum compareFunc);     ///< GL_NONE turns comparison off
     void generateMipmap();

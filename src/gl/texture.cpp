@@ -128,6 +128,11 @@ void Texture::setWrap(GLenum wrap) {
         glTextureParameteri(m_id, axis, GLint(wrap));
 }
 
+void Texture::setLevels(int first, int last) {
+    glTextureParameteri(m_id, GL_TEXTURE_BASE_LEVEL, first);
+    glTextureParameteri(m_id, GL_TEXTURE_MAX_LEVEL, last);
+}
+
 void Texture::setBorder(const glm::vec4& color) {
     glTextureParameterfv(m_id, GL_TEXTURE_BORDER_COLOR, &color[0]);
     setWrap(GL_CLAMP_TO_BORDER);

@@ -38,6 +38,7 @@ AoTruth Reference::ao(const Receivers& receivers, const Camera& camera, const Re
     if (question.kind == TruthKind::Own) {
         view = makeCameraView(camera, receivers.width, receivers.height, m_impl->flat.origin, m_impl->bounds);
         question.view = &view;
+        question.sceneDiagonal_m = m_impl->bounds.diagonal();
     }
     const SampleSets sets(pointSeed(options.seed, kStream, kNoHit),
                           samplesPerScrambling(options.samplesPerPixel, kAoSamples));
@@ -75,7 +76,7 @@ Reference::Estimate Reference::aoAt(const glm::dvec3& point, const glm::dvec3& n
     SurfacePoint p;
     p.position = point - m_impl->flat.origin;
     p.normal = p.shadingNormal = glm::normalize(normal);
-    const AoQuestion question{checkedKind(options), radius_m, nullptr, nullptr};
+    const AoQuestion question{checkedKind(options), radius_m, nullptr, 0, nullptr};
     const SampleSets sets(pointSeed(seed, kStream, kNoHit), samplesPerScrambling(samples, kAoSamples));
     return AoEstimator(m_impl->rays, m_impl->flat, question, sets).at(p, pointSeed(seed, kStream, 0));
 }

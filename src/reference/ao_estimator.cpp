@@ -172,7 +172,7 @@ double AoEstimator::freeVolume(const SurfacePoint& point, int scrambling, std::u
 double AoEstimator::ownMean(const SurfacePoint& point, int scrambling, std::uint32_t seed) const {
     const CameraView& view = *m_question.view;
     const AoReceiver receiver{point.normal, point.shadingNormal, glm::dvec3(view.right), glm::dvec3(view.up),
-                              m_question.radius_m};
+                              m_question.radius_m, m_question.sceneDiagonal_m};
     const ScenePoint probe(m_rays, view, point);
     const std::uint32_t own = hashCombine(seed, std::uint32_t(scrambling));
     double sum = 0;

@@ -18,6 +18,7 @@ struct AoQuestion {
     TruthKind kind = TruthKind::T1;
     double radius_m = 0;                     ///< +inf where nothing bounds the rays
     const AoIntegrand* integrand = nullptr;  ///< of Own
+    double sceneDiagonal_m = 0;              ///< of Own
     const CameraView* view = nullptr;        ///< of Own
 };
 

@@ -35,11 +35,6 @@ glm::vec2 depthRange(const FrameContext& frame, const LightFrame& light, const L
     return {first.near_m, std::max(farthest * 1.001f, first.near_m * 1.01f)};
 }
 
-void setLevels(const gl::Texture& texture, int first, int last) {
-    glTextureParameteri(texture.id(), GL_TEXTURE_BASE_LEVEL, first);
-    glTextureParameteri(texture.id(), GL_TEXTURE_MAX_LEVEL, last);
-}
-
 /// Sums of as many channels as the format has, in full precision.
 GLenum formatBetween(GLenum format) {
     switch (format) {
@@ -187,8 +182,7 @@ void MomentMap::drawMipmaps(FrameContext& frame, Technique& technique, const Sta
         this->program(frame, technique, statistics, "shared/moment_mip.frag", std::move(given));
     m_moments.bind(kUnitMoments);
     for (int level = 1; level < m_moments.levels(); ++level) {
-        // A level may be drawn while another is read where that one alone is within the sampler's reach.
-        setLevels(m_moments, level - 1, level - 1);
+        m_moments.setLevels(level - 1, level - 1);
         for (int layer = 0; layer < m_moments.desc().layers; ++layer) {
             const gl::Framebuffer target({{&m_moments, level, isArray ? layer : 0}}, {}, "moments");
             target.bind();
@@ -196,7 +190,7 @@ void MomentMap::drawMipmaps(FrameContext& frame, Technique& technique, const Sta
             frame.drawFullscreen();
         }
     }
-    setLevels(m_moments, 0, m_moments.levels() - 1);
+    m_moments.setLevels(0, m_moments.levels() - 1);
 }
 
 const gl::Program& MomentMap::program(FrameContext& frame, Technique& technique, const Statistics& statistics,

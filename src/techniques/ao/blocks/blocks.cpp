@@ -10,57 +10,44 @@ namespace blocks {
 
 ParamTable BlocksParams::describe() {
     using P = BlocksParams;
-    return fields(
-        field(&P::samples, "samples")
-            .range(4, 64)
-            .tune(8, 64)
-            .effect(ParamEffect::Define)
-            .help("Size of the kernel: depths read per pixel; the published sizes are 16, 32 and 64. More cost time, "
-                  "fewer give noise."),
-        field(&P::offsets, "offsets")
-            .effect(ParamEffect::Define)
-            .help("Where samples are put: in a disk of the picture, or in the half ball over the surface and then "
-                  "projected. The half ball wastes fewer samples on grazing surfaces and misses what lies beside it."),
-        field(&P::kernel, "kernel")
-            .effect(ParamEffect::Host)
-            .help("How samples spread: evenly, denser towards the receiver, or as evenly with less noise by importance "
-                  "sampling."),
-        field(&P::rotation, "rotation")
-            .help("How the kernel turns from pixel to pixel: not at all (bands), by interleaved gradient noise, by a "
-                  "hash (grain), or in tiles of 4x4 pixels."),
-        field(&P::radius_m, "radius", Unit::Metre)
-            .range(0, 100)
-            .tune(0.05, 2)
-            .effect(ParamEffect::Host)
-            .help("Farthest occluder; 0 takes the scene's ao_radius_m."),
-        field(&P::intensity, "intensity")
-            .range(0, 32)
-            .tune(0.5, 8)
-            .help("The factor s before the mean of the weights: higher is darker."),
-        field(&P::angle_rad, "angle", Unit::Degree)
-            .range(0, 90)
-            .tune(45, 90)
-            .help("Surfaces farther than this from the normal do not occlude: lower hides the facets and the noise of "
-                  "flat surfaces, and with them shallow creases."),
-        field(&P::bias_m, "bias", Unit::Metre)
-            .range(0, 1)
-            .tune(0, 0.05)
-            .help("Lifts the receiver along its normal: hides self-occlusion of rough surfaces, loses contact."));
+    return screenAoTable(
+        {field(&P::samples, "samples")
+             .range(4, 64)
+             .tune(8, 64)
+             .effect(ParamEffect::Define)
+             .help("Size of the kernel: depths read per pixel; the published sizes are 16, 32 and 64. More cost time, "
+                   "fewer give noise."),
+         field(&P::offsets, "offsets")
+             .effect(ParamEffect::Define)
+             .help("Where samples are put: in a disk of the picture, or in the half ball over the surface and then "
+                   "projected. The half ball wastes fewer samples on grazing surfaces and misses what lies beside it."),
+         field(&P::kernel, "kernel")
+             .effect(ParamEffect::Host)
+             .help(
+                 "How samples spread: evenly, denser towards the receiver, or as evenly with less noise by importance "
+                 "sampling."),
+         field(&P::intensity, "intensity")
+             .range(0, 32)
+             .tune(0.5, 8)
+             .help("The factor s before the mean of the weights: higher is darker."),
+         field(&P::angle_rad, "angle", Unit::Degree)
+             .range(0, 90)
+             .tune(45, 90)
+             .help("Surfaces farther than this from the normal do not occlude: lower hides the facets and the noise of "
+                   "flat surfaces, and with them shallow creases."),
+         field(&P::bias_m, "bias", Unit::Metre)
+             .range(0, 1)
+             .tune(0, 0.05)
+             .help("Lifts the receiver along its normal: hides self-occlusion of rough surfaces, loses contact.")});
 }
 
-class Blocks final : public AoTechniqueOf<BlocksParams> {
-public:
-    void render(FrameContext& frame, const gl::Texture& visibility) override {
-        const auto pass = frame.pass("ao/blocks");
-        const gl::Framebuffer target({{&visibility}}, {}, "ao/blocks");
-        target.bind();
-        gl::apply({});
-        frame.bindGBuffer();
-        const gl::Program& program = frame.fullscreenProgram(*this, "ao/blocks/blocks.frag");
-        const std::vector<glm::vec4> kernel = makeKernel(p().offsets, p().kernel, p().samples);
-        program.set("u_kernel", kernel.data(), p().samples);
-        program.set("u_radius_m", p().radius_m > 0 ? p().radius_m : frame.scene->aoRadius_m);
-        frame.drawFullscreen();
+class Blocks final : public ScreenAoTechniqueOf<BlocksParams> {
+protected:
+    ScreenAoPass pass(FrameContext&) override {
+        return {.fragmentPath = "ao/blocks/blocks.frag", .bind = [this](const gl::Program& program) {
+                    const std::vector<glm::vec4> kernel = makeKernel(p().offsets, p().kernel, p().samples);
+                    program.set("u_kernel", kernel.data(), p().samples);
+                }};
     }
 };
 

@@ -2,17 +2,14 @@
 #pragma once
 
 #include "techniques/ao/blocks/kernel.h"
+#include "techniques/shared/screen_ao.h"
 
 namespace ombrage::blocks {
 
-enum class Rotation { None, Gradient, Hash, Tile };
-
-struct BlocksParams {
+struct BlocksParams : ScreenAoParams {
     int samples = 32;
     Offsets offsets = Offsets::Screen;
     Distribution kernel = Distribution::Cosine;
-    Rotation rotation = Rotation::Gradient;
-    float radius_m = 0.0f;
     float intensity = 7.0f;
     float angle_rad = 1.2217305f;  // 70 degrees
     float bias_m = 0.0f;
@@ -21,12 +18,3 @@ struct BlocksParams {
 };
 
 }  // namespace ombrage::blocks
-
-namespace ombrage {
-
-template <>
-struct EnumChoices<blocks::Rotation> {
-    static std::vector<std::string> names() { return {"none", "gradient", "hash", "tile"}; }
-};
-
-}  // namespace ombrage

@@ -15,7 +15,7 @@ public:
     explicit BlocksIntegrand(const BlocksParams& params) : m_params(params), m_cosAngle(std::cos(params.angle_rad)) {}
 
     double sample(const AoReceiver& receiver, const AoProbe& probe, const glm::vec4& u) const override {
-        const double radius_m = m_params.radius_m > 0 ? double(m_params.radius_m) : receiver.sceneRadius_m;
+        const double radius_m = m_params.radiusIn(receiver.sceneRadius_m, receiver.sceneDiagonal_m);
         const auto found = probe.seenTowards(offset(receiver, u) * radius_m);
         if (!found) return 1;
 
