@@ -29,8 +29,8 @@ struct RendererOptions {
     std::string device;       ///< "" best with fallback, "software", or an EGL device index
     std::string shaderDir;    ///< read shaders from here instead of the embedded ones
     bool debugContext = false;///< a KHR_debug context; messages end in RenderResult::debugMessages
-    /// Folder of what earlier runs compiled and baked; empty: $OMBRAGE_CACHE, else the user's cache folder; "off": none.
-    /// Programs are kept where the driver hands them out.
+    /// Folder of programs compiled by earlier runs; empty: $OMBRAGE_CACHE, else the user's cache folder; "off": none.
+    /// Not used where the driver hands none out.
     std::string cache = "";
     /// GPU memory that shadow techniques may keep between frames, all lights together. The shadows of lights that do not
     /// fit in are drawn anew in every frame, which costs time and changes no picture; a warning says so.

@@ -76,7 +76,6 @@ public:
     NormalSource normals = NormalSource::Map;
     gl::ShaderLibrary* shaders = nullptr;
     TargetPool* targets = nullptr;
-    std::string cache;        ///< RendererOptions::cache, for CacheFolder::locate()
 
     /// A named span of GPU work: debug group, timer span and, in the record, a row. Spans do not nest.
     class Pass {

@@ -98,7 +98,6 @@ public:
     const gl::Buffer& indices() const { return m_indices; }     ///< uint32, global vertex indices
     const gl::Buffer& instanceStorage() const { return m_instances; }
     const gl::Buffer& materialStorage() const { return m_materials; }
-    bool meshIsSolid(int mesh) const { return m_meshIsSolid[std::size_t(mesh)]; }  ///< isSolid()
     std::uint32_t meshFirstVertex(int mesh) const { return m_meshFirstVertex[std::size_t(mesh)]; }
     std::uint32_t meshFirstIndex(int mesh) const { return m_meshFirstIndex[std::size_t(mesh)]; }
 

@@ -51,8 +51,7 @@ Renderer::Impl::Impl(std::unique_ptr<gl::Context> made, const RendererOptions& o
       timer(std::make_unique<gl::GpuTimer>()),
       programs(std::make_unique<gl::ProgramCache>(options.cache)),
       shaders(std::make_unique<gl::ShaderLibrary>(checkedShaderDir(options.shaderDir), programs.get())),
-      keptShadowBytes(options.keptShadowBytes),
-      cache(options.cache) {
+      keptShadowBytes(options.keptShadowBytes) {
     device = {context->renderer(), context->vendor(), context->version(), context->isSoftware(),
               gl::clockName(timer->clock())};
     recorder.timer = timer.get();

@@ -43,7 +43,6 @@ void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& set
     frame.normals = settings.normals;
     frame.shaders = shaders.get();
     frame.targets = &targets;
-    frame.cache = cache;
     frame.recorder = &recorder;
 }
 

@@ -63,7 +63,6 @@ struct Renderer::Impl {
     std::vector<glm::dmat4> placements;        ///< of the instances in gpuScene
     std::array<Pipeline, 4> earlierPipelines;  ///< of the last call: shadow, ao, indirect, aa
     const std::uint64_t keptShadowBytes;
-    const std::string cache;  ///< RendererOptions::cache
 
     /// What the shadow techniques of the frame just rendered say of it, per light index.
     struct Shadowed {

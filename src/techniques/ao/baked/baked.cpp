@@ -11,6 +11,7 @@
 #include "core/trace.h"
 #include "render/frame_context.h"
 #include "render/technique.h"
+#include "scene/solidity.h"
 #include "techniques/ao/baked/bake.h"
 #include "techniques/shared/cosine_visibility.h"
 #include "techniques/shared/gpu_triangles.h"
@@ -31,11 +32,10 @@ constexpr const char* kExtension = ".ao";
 constexpr CacheFolder::Bounds kKept{std::uint64_t(256) << 20, 256};
 constexpr GLuint kBlockStorage = 3;
 
-struct BakedParams {
+struct BakedParams : AoRadius {
     Store store = Store::Texel;
     int texels = 300000;
     int samples = 128;
-    float radius_m = 0.0f;
     bool dilate = true;
 
     static ParamTable describe() {
@@ -54,10 +54,7 @@ struct BakedParams {
                 .range(8, 4096, Scale::Log)
                 .effect(ParamEffect::Host)
                 .help("Rays per texel or vertex; more leave less noise in the texture, at no cost when it is drawn."),
-            field(&P::radius_m, "radius", Unit::Metre)
-                .range(0, 100)
-                .effect(ParamEffect::Host)
-                .help("Farthest occluder; 0 takes the scene's ao_radius_m."),
+            aoRadiusField(), aoRadiusPercentField(),
             field(&P::dilate, "dilate")
                 .effect(ParamEffect::Host)
                 .help("Fills what lies inside of solids from what lies beside it; off shows the dark rims of contacts "
@@ -78,11 +75,15 @@ struct Bakes {
     std::map<std::string, std::shared_ptr<const Bake>> byKey;
 };
 
+/// All but solids, whose back nobody sees from outside.
 std::vector<bool> instancesWithBack(const GpuScene& scene) {
+    std::map<int, bool> isSolidMesh;
     std::vector<bool> hasBack;
     for (const FlatInstance& instance : scene.flat().instances) {
+        const auto [known, isNew] = isSolidMesh.try_emplace(instance.mesh, false);
+        if (isNew) known->second = isSolid(scene.scene().meshes[std::size_t(instance.mesh)]);
         const AlphaMode mode = scene.scene().materials[std::size_t(instance.material)].alphaMode;
-        hasBack.push_back(mode == AlphaMode::Mask || instance.mirrored || !scene.meshIsSolid(instance.mesh));
+        hasBack.push_back(mode == AlphaMode::Mask || instance.mirrored || !known->second);
     }
     return hasBack;
 }
@@ -107,7 +108,7 @@ gl::Buffer blockBuffer(const FlatScene& flat, const Layout& layout) {
 std::vector<float> texelsOf(const FrameContext& frame, const Layout& layout, const BakeOptions& options,
                             const std::string& key, bool keep) {
     const FlatScene& flat = frame.gpuScene->flat();
-    const CacheFolder folder(CacheFolder::locate(frame.cache, "scenes"), kExtension, kKept);
+    const CacheFolder folder(CacheFolder::locate("", "scenes"), kExtension, kKept);
     std::vector<float> texels(std::size_t(layout.width) * std::size_t(layout.height));
     const auto kept = folder.read(key);
     // A file of another length is none of ours.
@@ -162,7 +163,7 @@ private:
         glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
         const Layout layout = makeLayout(scene.flat(), instancesWithBack(scene), p().store, std::uint64_t(p().texels),
                                          std::min(largest, 65536));
-        const BakeOptions options{double(p().radius_m > 0 ? p().radius_m : frame.scene->aoRadius_m), p().samples,
+        const BakeOptions options{p().radiusIn(double(frame.scene->aoRadius_m), scene.bounds().diagonal()), p().samples,
                                   p().dilate};
         const std::string key = bakeKey(*frame.scene, scene.flat(), layout, options);
         std::shared_ptr<const Bake>& known = scene.derived<Bakes>().byKey[key];
@@ -185,7 +186,7 @@ private:
 };
 
 std::unique_ptr<AoIntegrand> makeIntegrand(const BakedParams& params) {
-    return makeCosineVisibility(double(params.radius_m));
+    return makeCosineVisibility(params);
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <set>
+#include <optional>
 
 #include <gtest/gtest.h>
+#include <ombrage/error.h>
 
 #include "techniques/ambient_measure.h"
 #include "techniques/ao/baked/layout.h"
@@ -104,31 +106,43 @@ TEST(Baked, EachSideOfASheetHasItsOwn) {
     }
 }
 
-/// A cache folder that goes away with the test.
-struct TemporaryFolder {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() /
-        ("ombrage-baked-test-" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "-" +
-         std::to_string(std::uintptr_t(this)));
-    TemporaryFolder() { std::filesystem::create_directories(path); }
-    ~TemporaryFolder() { std::filesystem::remove_all(path); }
+/// A cache folder that goes away with the test; the environment names it meanwhile.
+class TemporaryFolder {
+public:
+    TemporaryFolder() {
+        char name[] = "/tmp/ombrage-baked-XXXXXX";
+        m_path = mkdtemp(name);
+        if (const char* before = std::getenv("OMBRAGE_CACHE")) m_before = before;
+        setenv("OMBRAGE_CACHE", m_path.c_str(), 1);
+    }
+    ~TemporaryFolder() {
+        if (m_before)
+            setenv("OMBRAGE_CACHE", m_before->c_str(), 1);
+        else
+            unsetenv("OMBRAGE_CACHE");
+        std::filesystem::remove_all(m_path);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
     std::vector<std::filesystem::path> bakes() const {
         std::vector<std::filesystem::path> found;
-        for (const auto& entry : std::filesystem::directory_iterator(path))
+        for (const auto& entry : std::filesystem::directory_iterator(m_path))
             if (entry.path().extension() == ".ao") found.push_back(entry.path());
         return found;
     }
+
+private:
+    std::filesystem::path m_path;
+    std::optional<std::string> m_before;
 };
 
 TEST(Baked, IsKeptWithTheSceneAndReused) {
     const TemporaryFolder folder;
-    RendererOptions options;
-    options.cache = folder.path.string();
     const Scene scene = loadScene("cornell");
     const RenderSettings settings = AmbientMeasure::settings("ao/baked:texels=20000,samples=16");
     const auto draw = [&](const Scene& shown) {
-        Renderer renderer(options);
+        Renderer renderer;
         renderer.setScene(shown);
         return measuredPlane(renderer.render(settings), Family::Ao);
     };
@@ -159,10 +173,8 @@ TEST(Baked, IsKeptWithTheSceneAndReused) {
 
 TEST(Baked, WhatMovesIsBakedAnewAndNotKept) {
     const TemporaryFolder folder;
-    RendererOptions options;
-    options.cache = folder.path.string();
     const Scene scene = loadScene("cornell");
-    Renderer renderer(options);
+    Renderer renderer;
     renderer.setScene(scene);
     const RenderSettings settings = AmbientMeasure::settings("ao/baked:texels=20000,samples=16");
     const std::vector<float> before = measuredPlane(renderer.render(settings), Family::Ao);

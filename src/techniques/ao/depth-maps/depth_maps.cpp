@@ -2,7 +2,6 @@
 // ao/depth-maps: the scene's depth from many directions; each map answers for one direction of the hemisphere.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "render/frame_context.h"
 #include "render/technique.h"
@@ -168,7 +167,7 @@ private:
 };
 
 std::unique_ptr<AoIntegrand> makeIntegrand(const DepthMapsParams&) {
-    return makeCosineVisibility(std::numeric_limits<double>::infinity());
+    return makeUnboundedVisibility();
 }
 
 }  // namespace

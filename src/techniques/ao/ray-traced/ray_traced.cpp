@@ -31,11 +31,10 @@ constexpr int kSamplesPerDraw = 32;
 /// Floats count no farther by ones.
 constexpr int kMostGathered = 1 << 24;
 
-struct RayTracedParams {
+struct RayTracedParams : AoRadius {
     int samples = 16;
     AoRayPattern pattern = AoRayPattern::Sobol;
-    float radius_m = 0.0f;
-    bool progressive = true;
+    bool progressive = false;
 
     static ParamTable describe() {
         using P = RayTracedParams;
@@ -51,13 +50,11 @@ struct RayTracedParams {
                 .help("How a pixel's rays spread: independently, by Sobol points scrambled per pixel, or by one Sobol "
                       "set moved from pixel to pixel by interleaved gradient noise or by blue noise, whose grain is "
                       "finer and filters better."),
-            field(&P::radius_m, "radius", Unit::Metre)
-                .range(0, 100)
-                .effect(ParamEffect::Host)
-                .help("Farthest occluder; 0 takes the scene's ao_radius_m."),
+            aoRadiusField(), aoRadiusPercentField(),
             field(&P::progressive, "progressive")
                 .effect(ParamEffect::Host)
-                .help("Frames that follow each other add their rays while camera, seed and scene stay as they are."));
+                .help("Frames that follow each other add their rays while camera, seed and scene stay as they are. Off "
+                      "by default, so that an error and a cost that are measured belong to one frame."));
     }
 };
 
@@ -129,7 +126,8 @@ private:
         frame.bindGBuffer();
         const gl::Program& program = frame.fullscreenProgram(*this, "ao/ray-traced/ray-traced.frag");
         bvh.bind(program);
-        program.set("u_radius_m", p().radius_m > 0 ? p().radius_m : frame.scene->aoRadius_m);
+        program.set("u_radius_m",
+                    float(p().radiusIn(double(frame.scene->aoRadius_m), frame.gpuScene->bounds().diagonal())));
         if (p().pattern == AoRayPattern::BlueNoise) {
             if (!m_blueNoise) m_blueNoise = blueNoiseTexture();
             m_blueNoise.bind(kFirstFreeUnit);
@@ -157,7 +155,7 @@ private:
 };
 
 std::unique_ptr<AoIntegrand> makeIntegrand(const RayTracedParams& params) {
-    return makeCosineVisibility(double(params.radius_m));
+    return makeCosineVisibility(params);
 }
 
 }  // namespace

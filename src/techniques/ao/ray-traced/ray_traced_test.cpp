@@ -17,7 +17,7 @@ std::vector<float> planeOf(const RenderResult& result) {
 
 /// A part of `corner` that shows floor and walls, small enough for many rays.
 RenderSettings cornerSettings(const std::string& params) {
-    return AmbientMeasure::settings("ao/ray-traced:" + params);
+    return AmbientMeasure::settings("ao/ray-traced:progressive=true," + params);
 }
 
 TEST(AmbientRays, AWallHasItsClosedForm) {
@@ -80,7 +80,7 @@ TEST(AmbientRays, FramesThatFollowEachOtherAddTheirRays) {
     next.firstFrame = 5;
     EXPECT_EQ(renderer.render(next).counters.at("rays per pixel so far"), 32);
 
-    often.ao = parsePipeline(Family::Ao, "ao/ray-traced:samples=16,progressive=false");
+    often.ao = parsePipeline(Family::Ao, "ao/ray-traced:samples=16");
     often.firstFrame = 0;
     often.frames = 3;
     EXPECT_EQ(planeOf(renderScene(scene, often)), first);
