@@ -58,9 +58,10 @@ TEST(BakedLayout, TexelsAreAsFarApartAsItSays) {
     const Layout layout = layoutOf(flat, Store::Texel, 50000);
     for (std::size_t t = 0; t < layout.blocks.size(); ++t) {
         const Block& block = layout.blocks[t];
-        const glm::vec3 a = flat.positions[flat.triangles[t][block.first]],
-                        b = flat.positions[flat.triangles[t][(block.first + 1) % 3]];
-        EXPECT_LE(glm::distance(a, b) / float(block.across), layout.spacing_m * 1.00001f);
+        const auto corner = [&](int k) { return flat.positions[flat.triangles[t][(block.first + k) % 3]]; };
+        EXPECT_LE(glm::distance(corner(0), corner(1)) / float(block.across), layout.spacing_m * 1.00001f);
+        for (const int k : {0, 1})
+            EXPECT_LE(glm::distance(corner(k), corner(2)) / float(block.up), layout.spacing_m * 1.00001f);
     }
 }
 
@@ -75,10 +76,10 @@ TEST(BakedLayout, SaysWhatDoesNotFit) {
 }
 
 TEST(Baked, AWallHasItsClosedForm) {
-    // Texels of 0.5 m on 128 m of floor and wall; the curve bends by less than 0.01 between them but for the first
-    // metre. 1024 rays leave 0.01.
+    // Texels of less than a metre on 128 m of floor and wall; the curve bends by less than 0.01 between them but for
+    // the first metre. 256 rays leave 0.01.
     const CornerPicture picture(20, 64);
-    const std::vector<float> row = picture.row("ao/baked:radius=16,samples=1024,texels=400000");
+    const std::vector<float> row = picture.row("ao/baked:radius=16,samples=256,texels=100000");
     for (std::size_t i = 0; i < row.size(); ++i)
         EXPECT_NEAR(row[i], CornerPicture::nearWall(double(i) + 0.5, 16), i == 0 ? 0.03 : 0.015) << i;
 }
@@ -92,17 +93,17 @@ TEST(Baked, EachSideOfASheetHasItsOwn) {
         if (!isFrontUp) std::reverse(sheet.begin(), sheet.end());
         addQuad(scene, sheet, 0.0f);
         RenderSettings settings = squareSettings(64);
-        settings.ao = parsePipeline(Family::Ao, "ao/baked:texels=20000");
+        settings.ao = parsePipeline(Family::Ao, "ao/baked:texels=10000,samples=1024");
         const RenderResult above = renderFlat(scene, settings);
         for (const float v : above.ao->plane(0)) ASSERT_EQ(v, 1.0f) << isFrontUp;
 
-        // From below, under the lower one taken away, the upper one's other side looks at nothing either; with it in
-        // place the eye between both sees what 8 m of rays to a plane 1 m away leave: c^2 = 1/64.
+        // An eye between both sees what rays of 8 m to a plane 1 m away leave: c^2 = 1/64. Four deviations of 1024
+        // rays.
         scene.cameras[0].position.z = 0.5;
         scene.cameras[0].target.z = 10;
         scene.cameras[0].up = {0, 1, 0};
         const RenderResult between = renderFlat(scene, settings);
-        for (const float v : between.ao->plane(0)) ASSERT_NEAR(v, 1.0 / 64, 0.02) << isFrontUp;
+        for (const float v : between.ao->plane(0)) ASSERT_NEAR(v, 1.0 / 64, 4 * 0.124 / 32) << isFrontUp;
     }
 }
 
@@ -155,7 +156,8 @@ TEST(Baked, IsKeptWithTheSceneAndReused) {
     const auto size = std::filesystem::file_size(file);
     std::ofstream(file, std::ios::binary | std::ios::trunc) << std::string(size, '\0');
     const std::vector<float> empty = draw(scene);
-    EXPECT_EQ(*std::max_element(empty.begin(), empty.end()), 0.0f);
+    EXPECT_EQ(*std::min_element(empty.begin(), empty.end()), 0.0f);
+    for (std::size_t i = 0; i < empty.size(); ++i) ASSERT_TRUE(empty[i] == 0.0f || first[i] == 1.0f) << i;
     // One of another length is made again.
     std::filesystem::resize_file(file, size / 2);
     EXPECT_EQ(draw(scene), first);
@@ -183,13 +185,12 @@ TEST(Baked, WhatMovesIsBakedAnewAndNotKept) {
     renderer.moveScene(moved);
     const std::vector<float> after = measuredPlane(renderer.render(settings), Family::Ao);
     EXPECT_NE(after, before);
-    EXPECT_EQ(after, measuredPlane(renderScene(moved, settings), Family::Ao));
     EXPECT_EQ(folder.bakes().size(), 1u);
+    EXPECT_EQ(after, measuredPlane(renderScene(moved, settings), Family::Ao));
 }
 
-TEST(Baked, VerticesAreEnoughForFineModels) {
-    // 36,000 triangles: between the vertices of the sponge little changes; its floor of a few large ones has texels
-    // alone.
+TEST(Baked, TexelsHoldWhatVerticesCannot) {
+    // Few large triangles hold no contact at their vertices.
     const AmbientMeasure measure("sphere", "T1", 512);
     EXPECT_GE(*measure.of("ao/baked").at("psnr"), 24.0);
     EXPECT_LT(*measure.of("ao/baked:store=vertex").at("psnr"), *measure.of("ao/baked").at("psnr"));

@@ -16,25 +16,25 @@ namespace {
 /// A block is no wider than the narrowest texture.
 constexpr int kMostIntervals = 1023;
 
-/// A triangle along its longest edge and across it.
+/// Shortest and longest edge of a triangle.
 struct Extent {
-    std::uint8_t first = 0;
-    float length_m = 0, height_m = 0;
+    std::uint8_t first = 0;  ///< corner where the shortest begins
+    float shortest_m = 0, longest_m = 0;
 };
 
 Extent extentOf(const FlatScene& flat, std::uint32_t triangle) {
     const glm::uvec3 t = flat.triangles[triangle];
     const glm::vec3 corners[3] = {flat.positions[t.x], flat.positions[t.y], flat.positions[t.z]};
-    Extent extent;
+    Extent extent{0, std::numeric_limits<float>::infinity(), 0};
     for (int k = 0; k < 3; ++k) {
         const float length_m = glm::distance(corners[k], corners[(k + 1) % 3]);
-        // Lengths that are no numbers stay out: such triangles have one interval.
-        if (!(length_m > extent.length_m) || !std::isfinite(length_m)) continue;
-        extent.length_m = length_m;
+        // Triangles of lengths that are no numbers have one interval.
+        if (!std::isfinite(length_m)) return {};
+        extent.longest_m = std::max(extent.longest_m, length_m);
+        if (length_m >= extent.shortest_m) continue;
+        extent.shortest_m = length_m;
         extent.first = std::uint8_t(k);
     }
-    const float doubleArea = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    if (extent.length_m > 0 && std::isfinite(doubleArea)) extent.height_m = doubleArea / extent.length_m;
     return extent;
 }
 
@@ -52,8 +52,8 @@ public:
         std::uint64_t samples = 0;
         for (std::size_t t = 0; t < m_extents.size(); ++t) {
             const std::uint64_t sides = m_hasBack[m_flat.triangleInstance[t]] ? 2 : 1;
-            const std::uint64_t across = intervals(m_extents[t].length_m, spacing_m);
-            const std::uint64_t up = intervals(m_extents[t].height_m, spacing_m);
+            const std::uint64_t across = intervals(m_extents[t].shortest_m, spacing_m);
+            const std::uint64_t up = intervals(m_extents[t].longest_m, spacing_m);
             if (across > 1 || up > 1) samples += sides * (across + 1) * (up + 1);
         }
         return samples;
@@ -61,7 +61,7 @@ public:
 
     float forSamples(std::uint64_t samples) const {
         float longest_m = 0;
-        for (const Extent& extent : m_extents) longest_m = std::max(longest_m, extent.length_m);
+        for (const Extent& extent : m_extents) longest_m = std::max(longest_m, extent.longest_m);
         if (!(longest_m > 0)) return 1.0f;
         float fine = longest_m / float(kMostIntervals), coarse = longest_m;
         if (samplesAt(fine) <= samples) return fine;
@@ -149,8 +149,8 @@ Layout makeLayout(const FlatScene& flat, std::vector<bool> hasBack, Store store,
     for (std::size_t t = 0; t < layout.blocks.size(); ++t) {
         Block& block = layout.blocks[t];
         block.first = extents[t].first;
-        block.across = intervals(extents[t].length_m, layout.spacing_m);
-        block.up = intervals(extents[t].height_m, layout.spacing_m);
+        block.across = intervals(extents[t].shortest_m, layout.spacing_m);
+        block.up = intervals(extents[t].longest_m, layout.spacing_m);
         texels += std::uint64_t(block.texels()) * (layout.hasBack[flat.triangleInstance[t]] ? 2 : 1);
     }
     layout.width = widthFor(texels, largest);

@@ -33,7 +33,7 @@ struct Block {
 struct Layout {
     std::vector<Block> blocks;  ///< per global triangle
     int width = 0, height = 0;
-    float spacing_m = 0;        ///< between texels along an edge and across it; +inf for vertices
+    float spacing_m = 0;        ///< between texels along any edge, at most; +inf for vertices
     std::vector<bool> hasBack;  ///< per instance: its back can be seen
 };
 

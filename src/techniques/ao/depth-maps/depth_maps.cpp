@@ -22,7 +22,7 @@ constexpr float kMostSlope = 16.0f;
 struct DepthMapsParams {
     int maps = 256;
     int resolution = 512;
-    float bias_texels = 1.0f;
+    float bias_texels = 0.0f;
 
     static ParamTable describe() {
         using P = DepthMapsParams;

@@ -65,7 +65,7 @@ TEST(DepthMaps, WhatNothingIsOverIsOpen) {
     Scene scene = emptyScene(64);
     addQuad(scene, {{-40, -40, 0}, {40, -40, 5}, {40, 40, 5}, {-40, 40, 0}}, 0.0f);
     RenderSettings settings = squareSettings(64);
-    settings.ao = parsePipeline(Family::Ao, "ao/depth-maps:bias=0");
+    settings.ao = parsePipeline(Family::Ao, "ao/depth-maps:maps=64");
     const RenderResult result = renderFlat(scene, settings);
     for (const float v : result.ao->plane(0)) ASSERT_GE(v, 0.999f);
 }
