@@ -14,7 +14,7 @@ namespace ombrage::test {
 /// samples. Receivers' normals are the truth's: of the geometry.
 class AmbientMeasure {
 public:
-    static constexpr int kWidth_px = 192, kHeight_px = 108;
+    static constexpr int kWidth_px = 128, kHeight_px = 72;
 
     AmbientMeasure(const std::string& scene, const std::string& truth, int samples)
         : m_scene(loadScene(scene)), m_reference(m_scene) {

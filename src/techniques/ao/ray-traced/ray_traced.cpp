@@ -145,7 +145,7 @@ private:
         // Only the frame that is read back anyway waits for the count.
         if (!frame.isReturned()) return;
         frame.counter("rays", end > first ? m_query.pixels() * (end - first) : 0.0);
-        frame.counter("rays per pixel so far", end);
+        if (p().progressive) frame.counter("rays per pixel so far", end);
     }
 
     std::optional<Gathered> m_gathered;
