@@ -77,7 +77,7 @@ struct ShadowQuestion {
 };
 
 struct ShadowMeasurement {
-    Metrics metrics;                  ///< every key of metricInfos() but flip, noise and those of motion
+    Metrics metrics;                  ///< every key of metricInfos() but flip, noise, residual and those of motion
     std::vector<ErrorClass> classes;  ///< per pixel
     std::array<std::size_t, kErrorClassCount> classCounts{};  ///< of the valid pixels; None: those that are not over
     std::size_t validCount = 0;
@@ -94,6 +94,12 @@ inline constexpr int kNoiseSeeds = 8;
 /// is valid. @throws Error(Usage) for fewer than two pictures or sizes that differ.
 std::optional<double> noiseOf(const std::vector<std::vector<float>>& pictures, const std::vector<Mask>& mask);
 
+/// What a picture has of its own where the truth is flat: the root mean square of what is left of it without its median
+/// over 15x15 pixels, over the pixels whose window is valid and the truth's standard deviation there at most 0.02 and
+/// its standard error; null where none is.
+std::optional<double> residual(std::span<const float> visibility, const AoTruth& truth);
+
+/// Every key of metricInfos() that concerns occlusion but flip, noise and those of motion.
 Metrics measureAo(std::span<const float> visibility, const AoTruth& truth);
 
 /// Mean structural similarity (Wang et al. 2004; 11x11 Gaussian, sigma 1.5, K1 = 0.01, K2 = 0.03, range 1) over the

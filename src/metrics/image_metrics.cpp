@@ -87,6 +87,7 @@ std::optional<double> noiseOf(const std::vector<std::vector<float>>& pictures, c
 Metrics measureAo(std::span<const float> visibility, const AoTruth& truth) {
     Metrics metrics;
     measureImage(visibility, truth.visibility, truth.width, truth.height, truth.mask, metrics);
+    metrics["residual"] = residual(visibility, truth);
     return metrics;
 }
 

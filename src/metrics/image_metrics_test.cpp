@@ -45,6 +45,36 @@ TEST(ImageMetrics, IdenticalImagesAreExact) {
     EXPECT_EQ(*m.at("ssim"), 1);
 }
 
+TEST(Residual, IsWhatIsLeftWithoutTheMedianWhereTheTruthIsFlat) {
+    // Left half: a truth of 0.5, right: a ramp. In the picture every fifth pixel of a row is off by 0.25.
+    constexpr int kWidth = 80, kHeight = 40;
+    std::vector<float> values, picture;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            values.push_back(x < 40 ? 0.5f : 0.5f + float(x - 40) / 100);
+            picture.push_back(values.back() + (x % 5 == 0 ? 0.25f : 0.0f));
+        }
+    const AoTruth truth = truthOf(kWidth, kHeight, values);
+    // The windows about columns 7 to 32 lie in the left half, and those to 37 hold a rise of standard deviation below
+    // 0.02; of these 31 the 6 of 10, 15, ... 35 are off, and a fifth of each window's pixels moves no median by more
+    // than the ramp does, 0.01.
+    EXPECT_NEAR(*residual(picture, truth), 0.25 * std::sqrt(6.0 / 31), 0.005);
+    EXPECT_EQ(*residual(std::vector<float>(values.size(), 0.25f), truth), 0);
+    // A noisy truth makes the ramp flat, too: the columns 7 to 72, of which 13 are off.
+    AoTruth noisy = truth;
+    noisy.standardError.assign(values.size(), 0.03f);
+    EXPECT_NEAR(*residual(picture, noisy), 0.25 * std::sqrt(13.0 / 66), 0.005);
+}
+
+TEST(Residual, NeedsAFlatWindow) {
+    AoTruth truth = truthOf(40, 40, std::vector<float>(1600, 0.5f));
+    EXPECT_FALSE(residual(std::vector<float>(100, 0.5f), truthOf(10, 10, std::vector<float>(100, 0.5f))));
+    EXPECT_TRUE(residual(truth.visibility, truth));
+    for (int i = 0; i < 1600; i += 7) truth.mask[std::size_t(i)] = Mask::Sky;
+    EXPECT_FALSE(residual(truth.visibility, truth));
+    EXPECT_THROW(residual(std::vector<float>(3), truth), Error);
+}
+
 TEST(ImageMetrics, ConstantOffset) {
     std::vector<float> values(400), offset(400);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(i % 2) * 0.5f, offset[i] = values[i] + 0.125f;

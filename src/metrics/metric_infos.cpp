@@ -72,6 +72,9 @@ const std::vector<MetricInfo>& metricInfos() {
         {"noise", "",
          "Root of the mean variance of the visibility among 8 seeds over the valid pixels; 0 for a technique that uses "
          "no random numbers."},
+        {"residual", "",
+         "Root mean square of the visibility without its median over 15x15 pixels, where the truth is flat: grain, "
+         "bands and patterns of one picture that a filter has left."},
         {"flip", "", "Mean LDR-FLIP (Andersson et al. 2020) of the final sRGB picture at 67 pixels per degree."},
         {"flicker_mean", "",
          "Under a motion script: mean change of the error from frame to frame at the surface points that the first "

@@ -271,7 +271,7 @@ TEST(ShadowMetrics, EveryKeyIsDocumentedOnce) {
         EXPECT_FALSE(info.help.empty()) << info.key;
     }
     for (const auto& [key, value] : Case().measure().metrics) EXPECT_TRUE(keys.count(key)) << key;
-    EXPECT_EQ(keys.size(), Case().measure().metrics.size() + 2 + 4) << "all but flip, noise and four of motion";
+    EXPECT_EQ(keys.size(), Case().measure().metrics.size() + 3 + 4) << "all but flip, noise, residual and four of motion";
 }
 
 TEST(HardEdges, LieWhereTheShadowEndsAndNotWhereTheSurfaceDoes) {

@@ -252,7 +252,7 @@ std::vector<DrawBatch> GpuScene::makeBatches(const DrawFilter& filter, const std
     const auto& excluded =
         filter.excludedByLight >= 0 ? m_scene->lights[std::size_t(filter.excludedByLight)].excludedModels : noModels;
     // Solids come first: what is open is mostly ground and walls, behind them for most eyes.
-    std::map<std::pair<bool, std::array<int, 5>>, std::vector<gl::DrawElementsIndirect>> groups;
+    std::map<std::tuple<bool, bool, std::array<int, 5>>, std::vector<gl::DrawElementsIndirect>> groups;
     for (std::size_t i = 0; i < m_flat.instances.size(); ++i) {
         const FlatInstance& instance = m_flat.instances[i];
         const Material& material = m_scene->materials[std::size_t(instance.material)];
@@ -266,15 +266,17 @@ std::vector<DrawBatch> GpuScene::makeBatches(const DrawFilter& filter, const std
         if (filter.alpha == DrawFilter::Alpha::MaskedOnly) key[0] = material.baseColorTexture;
         if (!filter.castersOnly) key = textureSet(material);
         const bool solid = !masked && !instance.mirrored && m_meshIsSolid[std::size_t(instance.mesh)];
-        groups[{!solid, key}].push_back(
+        const bool bothSides = !solid && material.doubleSided;
+        groups[{!solid, bothSides, key}].push_back(
             {instance.triangleCount * 3, 1, m_meshFirstIndex[std::size_t(instance.mesh)], 0, std::uint32_t(i)});
     }
 
     std::vector<DrawBatch> made;
     for (const auto& [key, commands] : groups) {
         DrawBatch batch;
-        batch.textures = key.second;
-        batch.solid = !key.first;
+        batch.textures = std::get<2>(key);
+        batch.solid = !std::get<0>(key);
+        batch.bothSides = std::get<1>(key);
         batch.commands = gl::Buffer::from(commands, "draw commands");
         batch.commandCount = commands.size();
         for (const auto& command : commands) {

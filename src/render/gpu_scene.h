@@ -25,11 +25,12 @@ struct DrawFilter {
     }
 };
 
-/// Consecutive indirect draws that share textures, alpha mode and solidity.
+/// Consecutive indirect draws that share textures, alpha mode, solidity and sides.
 struct DrawBatch {
     /// Of Scene::textures, -1 for none: base colour, normal, height, metallic-roughness, emissive.
     std::array<int, 5> textures{-1, -1, -1, -1, -1};
     bool solid = false;  ///< opaque, closed, not mirrored: shows no back face to who is outside
+    bool bothSides = false;  ///< not solid, of a double-sided material: neither side may be culled
     std::vector<std::uint32_t> instances;
     gl::Buffer commands;
     std::size_t commandCount = 0;

@@ -123,6 +123,22 @@ TEST(SceneFile, ZeroBytesBehindAreNotIgnored) {
     }
 }
 
+TEST(SceneFile, ARectLightNeedsAnArea) {
+    const TestFolder folder;
+    folder.write("t.obj", kTriangleObj);
+    for (const char* size : {"", R"(, "size_m": [2, 0])"}) {
+        const std::string file = folder.write("s.json", std::string(R"({"models": [{"file": "t.obj"}],
+          "lights": [{"type": "rect")") + size + "}]}");
+        try {
+            loadScene(file);
+            FAIL() << "no error";
+        } catch (const Error& error) {
+            EXPECT_NE(std::string(error.what()).find("area"), std::string::npos) << error.what();
+            EXPECT_NE(error.where().find("/lights/0"), std::string::npos) << error.where();
+        }
+    }
+}
+
 TEST(SceneFile, ReadsEveryKey) {
     const TestFolder folder;
     folder.write("t.obj", kTriangleObj);

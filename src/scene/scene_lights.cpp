@@ -52,7 +52,7 @@ float defaultIntensity(const Light& light, const Bounds& bounds) {
     const glm::dvec3 arm = light.position - bounds.center();
     const double distance2 = std::max(glm::dot(arm, arm), 0.01);
     const double area = double(light.size_m.x) * double(light.size_m.y);
-    return float(sun_lx * distance2 / (light.type == LightType::Rect && area > 0.0 ? area : 1.0));
+    return float(sun_lx * distance2 / (light.type == LightType::Rect ? area : 1.0));
 }
 
 void readCone(const JsonNode& node, Light& light) {
@@ -87,6 +87,8 @@ Light readLight(const JsonNode& node, const Scene& scene) {
         const std::vector<double> values = size->numbers(2, 0.0, 1e6);
         light.size_m = glm::vec2(float(values[0]), float(values[1]));
     }
+    if (light.type == LightType::Rect && !(light.size_m.x > 0 && light.size_m.y > 0))
+        throw node.error("a rect light without an area gives no light", "give size_m, its width and height in metres");
     if (light.type == LightType::Spot) readCone(node, light);
     if (const auto range = node.find("range_m")) light.range_m = float(range->numberAbove(0.0, kFarthest_m));
 

@@ -92,7 +92,7 @@ void drawDepth(const std::vector<bool>* takes, bool keep, FrameContext& frame, c
         for (const DrawBatch& batch : takes ? some : frame.gpuScene->batches(filter)) {
             // What a solid turns away from the light lies behind what it turns to it.
             const bool onlyFront = cull == GL_NONE && frame.gpuScene->hidesBackFaces(batch, light.toward(), nearest_m);
-            state.cull = onlyFront ? GLenum(GL_BACK) : cull;
+            state.cull = onlyFront ? GLenum(GL_BACK) : batch.bothSides ? GLenum(GL_NONE) : cull;
             gl::apply(state);
             if (isTessellated) program.set("u_mostParts", mostParts(frame, batch));
             const DrawCounts counts =

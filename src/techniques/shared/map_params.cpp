@@ -27,7 +27,7 @@ ParamTable mapTable(const std::vector<ParamField>& own, bool fitted) {
             .range(16, 8192, Scale::Log)
             .tune(256, 4096)
             .effect(ParamEffect::Resize)
-            .help("Width and height of the map (of each of six for a point light): finer edges for more time and "
+            .help("Width and height of the map, or of each of a point light's: finer edges for more time and "
                   "memory."),
         field(&P::bias, "bias").effect(ParamEffect::Define).help("How a surface is kept from shadowing itself."),
         field(&P::constantBias_texels, "constant-bias", Unit::Texel)
@@ -48,7 +48,8 @@ ParamTable mapTable(const std::vector<ParamField>& own, bool fitted) {
             .help("Steepest slope that the biases follow: higher, less acne at grazing light; lower, fewer leaks."),
         field(&P::cull, "cull")
             .effect(ParamEffect::Host)
-            .help("Which faces, seen from the light, stay out of the map."),
+            .help("Which faces, seen from the light, stay out of the map: of closed meshes and of one-sided materials; "
+                  "double-sided sheets keep both."),
         field(&P::format, "format")
             .effect(ParamEffect::Resize)
             .help("Bits of the stored depth: fewer take less memory and more bias, which is added by itself. A float's "

@@ -30,9 +30,10 @@ vec2 momentStep(MapPoint at, vec3 step_world) {
     return 0.5 * lateral;
 }
 
-// The pixel's footprint from the tangent plane: differences between pixels mean nothing at silhouettes and between cube faces. Returns the
-// variance that it adds to the filter, in texels squared.
-float momentFootprint(MapPoint at, vec3 p_world, vec3 n_world, float resolution, inout MomentPoint m) {
+// The pixel's footprint from the tangent plane: differences between pixels mean nothing at silhouettes and between cube faces. A filter as wide
+// as the pixel keeps the picture from flickering, and the blur, of this variance in texels squared, is one already: mipmaps and lookups add
+// what it lacks. Returns what they add along the longer axis.
+float momentFootprint(MapPoint at, vec3 p_world, vec3 n_world, float resolution, float blurred, inout MomentPoint m) {
     vec3 fromEye = p_world - frameEye.xyz;
     float viewDepth_m = dot(fromEye, frameForward.xyz);
     vec3 along = isOrthographic() ? frameForward.xyz : fromEye / viewDepth_m;
@@ -46,15 +47,23 @@ float momentFootprint(MapPoint at, vec3 p_world, vec3 n_world, float resolution,
     // The axes of the ellipse that both span: eigenvalues and the first eigenvector of their sum of squares.
     vec3 squares = vec3(right.x * right.x + up.x * up.x, right.y * right.y + up.y * up.y, right.x * right.y + up.x * up.y);
     float apart = sqrt((squares.x - squares.y) * (squares.x - squares.y) + 4.0 * squares.z * squares.z);
-    vec2 axes = sqrt(max(0.5 * (squares.x + squares.y + vec2(apart, -apart)), 0.0));
-    if (axes.x <= 1.0) return 0.0;
-    float side = 0.5 * (abs(squares.x - squares.y) + apart);
-    vec2 major = squares.x >= squares.y ? vec2(side, squares.z) : vec2(squares.z, side);
-    m.lookups = clamp(ceil(axes.x / max(axes.y, 1.0)), 1.0, float(params.anisotropy));
-    m.along = major * inversesqrt(max(dot(major, major), 1e-30)) * (axes.x / (m.lookups * resolution));
-    m.level = log2(max(axes.x / m.lookups, axes.y));
-    // A box as long as the footprint, and as much again by the mipmaps' own coarseness.
-    return (axes.x * axes.x + axes.y * axes.y) * (1.0 / 6.0);
+    // A box as wide as the pixel has the variance 1/12 of its width squared.
+    vec2 lacking = max((squares.x + squares.y + vec2(apart, -apart)) * (1.0 / 24.0) - blurred, 0.0);
+    if (lacking.x <= 0.0) return 0.0;
+
+    // A level whose texels are w wide adds (w^2 - 1)/12 by their size and twice that by the lookup between them. N lookups sqrt(3/2) w apart add
+    // (N^2 - 1)/8 w^2; farther apart they would leave gaps.
+    vec2 widths = 1.0 + 4.0 * lacking;   // squared
+    m.lookups = clamp(ceil(sqrt(2.0 * widths.x / widths.y - 1.0)), 1.0, float(params.anisotropy));
+    float width = max(widths.y, 2.0 * widths.x / (m.lookups * m.lookups + 1.0));
+    m.level = 0.5 * log2(width);
+    if (m.lookups > 1.0) {
+        float side = 0.5 * (abs(squares.x - squares.y) + apart);
+        vec2 major = squares.x >= squares.y ? vec2(side, squares.z) : vec2(squares.z, side);
+        float gap = sqrt(max(3.0 * (widths.x - width), 0.0) / (m.lookups * m.lookups - 1.0));
+        m.along = major * inversesqrt(max(dot(major, major), 1e-30)) * (gap / resolution);
+    }
+    return lacking.x;
 }
 
 // False where there is nothing to look up and the answer is "lit".
@@ -74,7 +83,7 @@ bool momentPoint(vec3 p_world, vec3 n_world, out MomentPoint m) {
 
     float variance = MOMENT_RANGE.z;
 #if MIPMAPS
-    variance += momentFootprint(at, p_world, n_world, resolution, m);
+    variance += momentFootprint(at, p_world, n_world, resolution, variance, m);
 #endif
     m.spread = sqrt(variance);
 

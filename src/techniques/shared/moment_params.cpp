@@ -17,7 +17,7 @@ ParamTable momentTable(const std::vector<ParamField>& own, const MomentMapParams
         field(&P::blur, "blur").effect(ParamEffect::Host).help("Shape of the blur."),
         field(&P::mipmaps, "mipmaps")
             .effect(ParamEffect::Define)
-            .help("Averages the map over the pixel's footprint where that is wider than a texel."),
+            .help("Averages the map over the pixel's footprint where that is wider than the blur."),
         field(&P::anisotropy, "anisotropy")
             .range(1, 16)
             .tune(1, 16)

@@ -27,11 +27,11 @@ struct EnumChoices<MomentBits> {
 /// What all techniques that filter statistics of a light's map have in common; shared/moment_map.glsl reads it.
 /// Parameter structs derive from it, with it as their only base, and put their own fields through momentTable().
 struct MomentMapParams : MapParams {
-    int kernel_texels = 5;
+    int kernel_texels = 3;
     MomentBlur blur = MomentBlur::Gauss;
-    bool mipmaps = true;
+    bool mipmaps = false;
     int anisotropy = 4;
-    float crease = 6.0f;
+    float crease = 10.0f;
     float bleeding = 0.0f;
 };
 

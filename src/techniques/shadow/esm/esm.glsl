@@ -4,19 +4,19 @@
 #include "shared/moment_map.glsl"
 #include "shadow/esm/esm_moments.glsl"
 
-float litShare(float stored, float z) {
+float quotient(float stored, float z) {
 #if SPACE == SPACE_LOG
-    return exp(u_exponent * min(stored - z, 0.0));
+    return exp(min(u_exponent * (stored - z), 80.0));   // what is more is as good as that, and no infinity
 #else
-    return min(stored * exp(-u_exponent * z), 1.0);
+    return stored * exp(-u_exponent * z);
 #endif
 }
 
 float shadowVisibility(vec3 p_world, vec3 n_world) {
     MomentPoint m;
     if (!momentPoint(p_world, n_world, m)) return 1.0;
-    // Lookups along the footprint are averaged as visibilities: the mean of logarithms is that of nothing.
+    // The mean along the footprint is one of exponentials, too, and is limited as a whole: on a slope the near half alone is darker than 1.
     float first = 0.5 - 0.5 * m.lookups, sum = 0.0;
-    for (float i = 0.0; i < m.lookups; ++i) sum += litShare(momentsBeside(m, m.along * (first + i), 0).x, m.z);
-    return withoutBleeding(sum / m.lookups);
+    for (float i = 0.0; i < m.lookups; ++i) sum += quotient(momentsBeside(m, m.along * (first + i), 0).x, m.z);
+    return withoutBleeding(min(sum / m.lookups, 1.0));
 }

@@ -63,7 +63,7 @@ struct EvsmParams : VarianceMapParams {
 class ExponentialVariance final : public MomentTechniqueOf<EvsmParams> {
 public:
     ShadowLookup lookup(FrameContext& frame, const LightFrame& light) override {
-        const float largest = evsm::largestExponent(p().bits == EvsmBits::Float32 ? 32 : 16);
+        const float largest = float(evsm::largestExponent(p().bits == EvsmBits::Float32 ? 32 : 16));
         const glm::vec2 exponents = glm::min(glm::vec2(p().exponent, p().negativeExponent), glm::vec2(largest));
         return lookUp(frame, light,
                       {.path = "shadow/evsm/evsm_moments.glsl",

@@ -18,8 +18,8 @@ double bound(double share, double a, double b, double t) {
 }
 
 TEST(ExponentialVariance, ExponentsAreWhatTheFormatHolds) {
-    EXPECT_FLOAT_EQ(evsm::largestExponent(16), 5.5f);   // exp(2 * 5.545) = 65504
-    EXPECT_FLOAT_EQ(evsm::largestExponent(32), 44.3f);  // exp(2 * 44.36) = 3.4e38
+    EXPECT_DOUBLE_EQ(evsm::largestExponent(16), 5.5);   // exp(2 * 5.545) = 65504
+    EXPECT_DOUBLE_EQ(evsm::largestExponent(32), 44.3);  // exp(2 * 44.36) = 3.4e38
 }
 
 TEST(ExponentialVariance, UnderTwoCastersItLeaksByTheBoundOfTheWarpedDepths) {

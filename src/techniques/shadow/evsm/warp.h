@@ -6,10 +6,10 @@
 namespace ombrage::evsm {
 
 /// The largest exponent c whose moment exp(c)^2 a float of so many bits holds, with a little room for sums.
-inline float largestExponent(int bits) {
+inline double largestExponent(int bits) {
     const double largest = bits == 16 ? 65504.0 : 3.4028234e38;
     // To tenths, downwards.
-    return float(std::floor(5.0 * std::log(largest)) / 10.0);
+    return std::floor(5.0 * std::log(largest)) / 10.0;
 }
 
 }  // namespace ombrage::evsm

@@ -7,6 +7,7 @@
 #include <ombrage/compare.h>
 
 #include "metrics/error_classes.h"
+#include "techniques/half_plane_scene.h"
 #include "techniques/technique_case.h"
 
 namespace ombrage::test {
@@ -101,6 +102,31 @@ TEST(ShadowMapErrors, ACoarseMapReadsAlias) {
         EXPECT_GE(shareOfOver(broken, "alias"), 0.95);
         EXPECT_GE(*broken.measured.metrics.at("edge_px"), 0.3);
     }
+}
+
+TEST(ShadowMap, DoubleSidedSheetsKeepBothSides) {
+    Scene scene = emptyScene(HalfPlane::kSize_px);
+    addQuad(scene, {{-60, -60, 0}, {60, -60, 0}, {60, 60, 0}, {-60, 60, 0}}, 0.1f);
+    addQuad(scene, {{-9, -9, 9}, {9, -9, 9}, {9, 9, 9}, {-9, 9, 9}}, 0.1f);
+    Light sun;
+    sun.name = "light";
+    sun.direction = glm::normalize(glm::vec3(1, 0, -0.3f));
+    scene.lights = {sun};
+    const auto shadowed = [&](const std::string& params) {
+        RenderSettings settings = squareSettings(HalfPlane::kSize_px);
+        settings.shadow = parsePipeline(Family::Shadow, "shadow/map:" + params);
+        settings.light = "light";
+        const RenderResult result = renderFlat(scene, settings);
+        const auto plane = result.visibility.begin()->second.plane(0);
+        return std::count(plane.begin(), plane.end(), 0.0f);
+    };
+    const auto all = shadowed("cull=none");
+    EXPECT_GE(all, 300);  // 18 m by 18 m, some of it under the sheet itself
+    EXPECT_EQ(shadowed("cull=back"), all);
+    EXPECT_EQ(shadowed("cull=front"), all);
+    // One-sided, it shows the sun one side alone.
+    for (Material& material : scene.materials) material.doubleSided = false;
+    EXPECT_EQ(std::min(shadowed("cull=back"), shadowed("cull=front")), 0);
 }
 
 TEST(ShadowMapErrors, CastersThatAreCulledReadLeak) {
