@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <cmath>
 
 #include <gtest/gtest.h>
 
@@ -29,6 +30,12 @@ TEST(DepthMapDirections, CoverTheSphereEvenly) {
             }
             EXPECT_NEAR(sum / count, 0.25, 3.0 / count) << count;
         }
+        // None is much nearer to another than squares of its share of the sphere are to each other.
+        float nearest = 2;
+        for (std::size_t i = 0; i < directions.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                nearest = std::min(nearest, glm::distance(directions[i], directions[k]));
+        EXPECT_GE(nearest, 0.7f * std::sqrt(4 * 3.1415927f / float(count))) << count;
     }
 }
 
