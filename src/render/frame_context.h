@@ -70,7 +70,11 @@ public:
     GBuffer* gbuffer = nullptr;
     CameraView view;
     CameraView fitView;       ///< what techniques fit to what is seen; `view` unless RenderSettings::fitCamera is set
-    CameraView previousView;  ///< of the last call of Renderer::render; `view` at the first
+    CameraView centredView;   ///< `view` with its samples in the pixels' centres (AaTechnique::samplePoints)
+    CameraView previousView;  ///< the centred view of the frame before, in this call or the last; of this one at the first
+    std::uint32_t sample = 0;      ///< which of the points it is that `view` is drawn for
+    bool isLastSample = true;
+    glm::vec2 jitter_px{0.0f};     ///< that point
     std::uint32_t seed = 1;
     std::uint32_t frameIndex = 0;
     NormalSource normals = NormalSource::Map;

@@ -29,9 +29,20 @@ void Renderer::Impl::forgetEarlierPipelines(const RenderSettings& settings, cons
         for (const int light : request.lights) slots.release(fmt::format("shadow {}", light));
     const std::array<Pipeline, 4> pipelines{settings.shadow, settings.ao, settings.indirect, settings.aa};
     if (pipelines != earlierPipelines) targets.trim();
+    // What was gathered with other random numbers, or from something else, is no history.
+    if (pipelines != earlierPipelines || settings.seed != earlierSeed) gatheredFrames = 0;
+    earlierSeed = settings.seed;
     earlierPipelines = pipelines;
     // A visibility that is given takes the place of a pipeline's.
     if (!settings.givenVisibility.empty()) earlierPipelines = {};
+}
+
+int Renderer::Impl::settlingFrames(const RenderSettings& settings) const {
+    int frames = 0;
+    for (const Pipeline* pipeline : {&settings.shadow, &settings.ao, &settings.indirect, &settings.aa})
+        for (const TechniqueSpec& spec : *pipeline)
+            frames = std::max(frames, techniqueEntry(spec.id).traits.settlingFrames);
+    return frames;
 }
 
 FrameTargets Renderer::Impl::renderFrames(FrameContext& frame, const RenderSettings& settings,
@@ -40,7 +51,11 @@ FrameTargets Renderer::Impl::renderFrames(FrameContext& frame, const RenderSetti
     recorder.timesPasses = settings.timing == Timing::Passes;
     recorder.countsSavings = settings.countSavings && recorder.timesPasses;
     timer->take();
-    const int frames = settings.warmupFrames + settings.frames;
+    const int settling = settlingFrames(settings);
+    const bool startsHistory = settling > 0 && gatheredFrames == 0;
+    if (startsHistory) slots.invalidate();
+    const int warmup = startsHistory ? std::max(settings.warmupFrames, settling) : settings.warmupFrames;
+    const int frames = warmup + settings.frames;
     for (int i = 0; i < frames; ++i) {
         if (settings.progress && !settings.progress(double(i) / frames))
             throw Error(ErrorCode::Interrupted, "interrupted", fmt::format("after {} of {} frames", i, frames));
@@ -49,8 +64,10 @@ FrameTargets Renderer::Impl::renderFrames(FrameContext& frame, const RenderSetti
         recorder.counters.clear();
         frame.frameIndex = std::uint32_t(settings.firstFrame + i);
         frame.seed = std::uint32_t(settings.seed);
+        // Frames that are gathered differ in their random numbers; 2^32 over the golden ratio keeps seeds apart.
+        if (settling > 0) frame.seed += 0x9E3779B9u * gatheredFrames++;
         produced = {};
-        const TraceScope trace(i < settings.warmupFrames ? "frame (warm-up)" : "frame");
+        const TraceScope trace(i < warmup ? "frame (warm-up)" : "frame");
         const double start = threadTime_ms();
         if (!recorder.timesPasses) timer->begin("frame");
         produced = renderFrame(frame, settings, request);
@@ -67,7 +84,7 @@ FrameTargets Renderer::Impl::renderFrames(FrameContext& frame, const RenderSetti
             times[span.name] += span.time_ms;
             total += span.time_ms;
         }
-        if (i < settings.warmupFrames) continue;
+        if (i < warmup) continue;
         for (const auto& [name, time] : times) costs.passes_ms[name].push_back(time);
         costs.totals_ms.push_back(total);
         costs.cpu_ms.push_back(cpu);

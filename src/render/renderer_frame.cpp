@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <ombrage/error.h>
 
 #include "render/renderer_impl.h"
 
@@ -28,6 +29,7 @@ void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& set
         gbuffer = GeometryPass::makeGBuffer(layout);
         targets.trim();
         slots.invalidate();
+        gatheredFrames = 0;
     }
     frame.width = settings.width;
     frame.height = settings.height;
@@ -39,6 +41,7 @@ void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& set
     };
     frame.view = viewOf(frame.scene->cameras[std::size_t(request.camera)]);
     frame.fitView = settings.fitCamera ? viewOf(*settings.fitCamera) : frame.view;
+    frame.centredView = frame.view;
     frame.previousView = previousCamera ? viewOf(*previousCamera) : frame.view;
     frame.normals = settings.normals;
     frame.shaders = shaders.get();
@@ -145,6 +148,37 @@ TargetPool::Target Renderer::Impl::renderAo(FrameContext& frame, const Pipeline&
 
 FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettings& settings,
                                          const RenderRequest& request) {
+    const std::vector<glm::vec2> centre{glm::vec2(0.0f)};
+    std::vector<glm::vec2> points = centre;
+    frame.view = frame.centredView;
+    if (!isNeutral(settings.aa))
+        for (const auto& technique : slots.get("aa", settings.aa, frame)) {
+            const bool isFirst = &technique == &slots.get("aa", settings.aa, frame).front();
+            const auto asked = static_cast<AaTechnique&>(*technique).samplePoints(frame);
+            if (isFirst)
+                points = asked;
+            else if (asked != centre)
+                throw Error(ErrorCode::Usage, fmt::format("{} takes samples of its own", technique->entry().id()),
+                            "put it first in the pipeline");
+        }
+    // Only the last picture of a frame is seen: what informs is taken from it.
+    const bool captures = recorder.capturing;
+    FrameTargets produced;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        frame.sample = std::uint32_t(i);
+        frame.isLastSample = i + 1 == points.size();
+        frame.jitter_px = points[i];
+        frame.view = jittered(frame.centredView, glm::dvec2(points[i]));
+        recorder.capturing = captures && frame.isLastSample;
+        produced = {};
+        produced = renderSample(frame, settings, request);
+    }
+    frame.previousView = frame.centredView;
+    return produced;
+}
+
+FrameTargets Renderer::Impl::renderSample(FrameContext& frame, const RenderSettings& settings,
+                                          const RenderRequest& request) {
     FrameTargets produced;
     gl::beginFrameState();
     geometry.uploadFrameBlock(frame);
@@ -176,7 +210,10 @@ FrameTargets Renderer::Impl::renderFrame(FrameContext& frame, const RenderSettin
 
     produced.color = composer.compose(frame, settings, lights, produced.ao, produced.indirect);
     if (isNeutral(settings.aa)) return produced;
-    for (const auto& technique : slots.get("aa", settings.aa, frame)) {
+    const auto& techniques = slots.get("aa", settings.aa, frame);
+    for (const auto& technique : techniques) {
+        // What follows the one that takes the samples sees its picture, once.
+        if (&technique != &techniques.front() && !frame.isLastSample) break;
         auto output = targets.take(produced.color->desc(), "anti-aliased");
         static_cast<AaTechnique&>(*technique).render(frame, *produced.color, *output);
         produced.color = output;

@@ -62,6 +62,8 @@ struct Renderer::Impl {
     std::optional<Camera> previousCamera;
     std::vector<glm::dmat4> placements;        ///< of the instances in gpuScene
     std::array<Pipeline, 4> earlierPipelines;  ///< of the last call: shadow, ao, indirect, aa
+    std::uint64_t earlierSeed = 0;             ///< of the last call
+    std::uint32_t gatheredFrames = 0;          ///< since the histories of what gathers over frames began
     const std::uint64_t keptShadowBytes;
 
     /// What the shadow techniques of the frame just rendered say of it, per light index.
@@ -80,7 +82,12 @@ struct Renderer::Impl {
     void show(const Scene& next);
     void poseScene(double time_s);
     void prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
+    /// The picture of every point that the anti-aliasing technique asks for. Gives what the last one left.
     FrameTargets renderFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
+    FrameTargets renderSample(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request);
+    /// Frames to draw before those that count, so that what gathers over frames has settled; 0 where nothing does, or
+    /// where it goes on with the history of an earlier call.
+    int settlingFrames(const RenderSettings& settings) const;
     LitLight renderShadow(FrameContext& frame, const RenderSettings& settings, const LightFrame& light);
     void noteShadow(const LightFrame& light, const ShadowTechnique& technique);
     std::string shadowPlace(const LightFrame& light);

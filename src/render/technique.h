@@ -121,6 +121,11 @@ public:
 /// Takes the composed picture, RGBA16F linear; `output` is another texture of the same kind.
 class AaTechnique : public Technique {
 public:
+    /// Where in its pixels the frame is seen, in pixels from their centres, right and up, at least one point. The renderer
+    /// draws the frame for each of them, in order, and calls render() after each; the last call's output is the frame's
+    /// picture. Asked once a frame, before anything of it is drawn.
+    virtual std::vector<glm::vec2> samplePoints(const FrameContext&) { return {glm::vec2(0.0f)}; }
+
     virtual void render(FrameContext& frame, const gl::Texture& input, const gl::Texture& output) = 0;
 };
 
@@ -183,6 +188,9 @@ struct TechniqueTraits {
     bool screenSpace = false;          ///< of a shadow: its answer depends on where in the picture a surface lies; that of
                                        ///< every other family does
     bool usesSeed = false;             ///< its answer depends on RenderSettings::seed: `noise` is measured
+    /// Frames after which a technique that gathers over them has settled; 0: it does not. A call that starts its history
+    /// draws as many before those that count, and every frame has random numbers of its own.
+    int settlingFrames = 0;
     IntegrandMaker integrand = {};     ///< ambient occlusion: what it claims to compute, for the truth `own`; none: no claim
 };
 

@@ -97,6 +97,31 @@ CameraView makeCameraView(const Camera& camera, int width, int height, const glm
     return view;
 }
 
+CameraView jittered(const CameraView& view, const glm::dvec2& offset_px) {
+    if (offset_px == glm::dvec2(0)) return view;
+    CameraView moved = view;
+    // The offset on the plane at view depth 1 (orthographic: in metres).
+    const double height = view.orthographic ? double(view.orthoHeight_m) : 2.0 * double(view.tanHalfFovY);
+    const glm::dvec2 shift = offset_px * height / double(view.height);
+    const glm::dvec3 aside = glm::dvec3(view.right) * shift.x + glm::dvec3(view.up) * shift.y;
+    glm::dmat4 movedFromView(1.0), viewFromMoved(1.0);
+    const int column = view.orthographic ? 3 : 2;
+    const double sign = view.orthographic ? -1.0 : 1.0;
+    for (int i = 0; i < 2; ++i) {
+        movedFromView[column][i] = sign * shift[i];
+        viewFromMoved[column][i] = -sign * shift[i];
+    }
+    if (view.orthographic)
+        moved.eye = glm::vec3(glm::dvec3(view.eye) + aside);
+    else
+        moved.forward = glm::vec3(glm::dvec3(view.forward) + aside);
+    const glm::dmat4 viewFromWorld = movedFromView * glm::dmat4(view.viewFromWorld);
+    moved.viewFromWorld = glm::mat4(viewFromWorld);
+    moved.worldFromView = glm::mat4(glm::dmat4(view.worldFromView) * viewFromMoved);
+    moved.clipFromWorld = glm::mat4(glm::dmat4(view.clipFromView) * viewFromWorld);
+    return moved;
+}
+
 void CameraView::ray(double px, double py, glm::dvec3& start, glm::dvec3& direction) const {
     const double aspect = double(width) / double(height);
     const double x = (2.0 * px / width - 1.0) * aspect;

@@ -36,4 +36,10 @@ struct CameraView {
 /// near_m is 1e-4 of the bounds' diagonal, kept within 0.1 mm and 1 cm: a reversed float depth loses nothing by it.
 CameraView makeCameraView(const Camera& camera, int width, int height, const glm::dvec3& origin, const Bounds& bounds);
 
+/// The same camera with its samples moved within the pixels, right and up, by an offset in pixels. View space is
+/// sheared (a perspective one) or moved (an orthographic one) for it, so that everything made from the view agrees: the
+/// ray through a pixel's centre, `forward` and the matrices are those of the moved sample. `forward` is then no unit
+/// vector, by some 1e-6.
+CameraView jittered(const CameraView& view, const glm::dvec2& offset_px);
+
 }  // namespace ombrage

@@ -55,7 +55,7 @@ public:
             target.bind();
             gl::apply({});
             input.bind(kFirstFreeUnit);
-            frame.fullscreenProgram(*this, "aa/fxaa/encode.frag");
+            frame.fullscreenProgram(*this, "shared/encode_luma.frag");
             frame.drawFullscreen();
         }
         // Pool textures are nearest for everybody else.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // FXAA after Lottes (2009, 2011: version 3.11, quality), from its published description.
 #include "aa/fxaa/params"
-#include "aa/fxaa/srgb.glsl"
+#include "shared/srgb.glsl"
 
 layout(binding = 5) uniform sampler2D t_picture;   // linear
 layout(binding = 6) uniform sampler2D t_encoded;   // encoded, luma in alpha; filtered linearly

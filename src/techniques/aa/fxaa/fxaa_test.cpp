@@ -5,50 +5,22 @@
 #include <gtest/gtest.h>
 #include <ombrage/renderer.h>
 
-#include "techniques/flat_scene_picture.h"
+#include "techniques/slanted_edge.h"
 
 namespace ombrage::test {
 namespace {
 
-constexpr int kSize = 128;
+constexpr int kSize = SlantedEdge::kSize_px;
 
-/// sRGB-encoded grey of a white half plane on black whose edge leaves the vertical by `slope`, through `aa`.
+/// sRGB-encoded, which is what FXAA works on.
 std::vector<float> pictureOf(double slope, const std::string& aa, bool upright = true) {
-    // The half plane's edge passes the picture's centre; it reaches beyond the picture on all other sides.
-    Scene scene = emptyScene(kSize);
-    const float reach = kSize, lean = float(slope) * reach;
-    const auto corner = [&](float along, float across) {
-        return upright ? glm::vec3(across, along, 0) : glm::vec3(along, across, 0);
-    };
-    addQuad(scene, {corner(-reach, -lean), corner(-reach, reach), corner(reach, reach), corner(reach, lean)}, 1.0f);
-    RenderSettings settings = squareSettings(kSize);
-    settings.aa = parsePipeline(Family::Aa, aa);
-    const RenderResult result = renderFlat(scene, settings);
-    std::vector<float> grey;
-    for (float linear : result.picture.plane(0)) grey.push_back(srgbFromLinear(linear));
+    std::vector<float> grey = SlantedEdge::picture(slope, aa, upright);
+    for (float& v : grey) v = srgbFromLinear(v);
     return grey;
 }
 
-/// Share of the pixel's area that lies to the right of the edge x = slope * y through the picture's centre.
-double coverage(double slope, int column, int row) {
-    constexpr int kGrid = 32;
-    int inside = 0;
-    for (int j = 0; j < kGrid; ++j)
-        for (int i = 0; i < kGrid; ++i) {
-            const double x = column + (i + 0.5) / kGrid - 0.5 * kSize, y = 0.5 * kSize - row - (j + 0.5) / kGrid;
-            inside += x > slope * y ? 1 : 0;
-        }
-    return double(inside) / (kGrid * kGrid);
-}
-
 double rmseAgainstCoverage(const std::vector<float>& grey, double slope) {
-    double sum = 0;
-    for (int row = 0; row < kSize; ++row)
-        for (int column = 0; column < kSize; ++column) {
-            const double e = double(grey[std::size_t(row * kSize + column)]) - coverage(slope, column, row);
-            sum += e * e;
-        }
-    return std::sqrt(sum / (kSize * kSize));
+    return SlantedEdge::rmse(grey, slope);
 }
 
 double mean(const std::vector<float>& values) {

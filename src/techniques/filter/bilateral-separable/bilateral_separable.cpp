@@ -1,44 +1,10 @@
 // SPDX-License-Identifier: MIT
 // filter/bilateral-separable: a horizontal, then a vertical edge-stopping blur. See bilateral-separable.md.
-#include <algorithm>
-
-#include "render/frame_context.h"
-#include "render/technique.h"
+#include "techniques/shared/edge_stop_params.h"
+#include "techniques/shared/filter_pass.h"
 
 namespace ombrage {
 namespace {
-
-struct BilateralParams {
-    int radius_px = 4;
-    float sigma_px = 2.0f;
-    float planeTolerance_px = 1.0f;
-    float normalPower = 16.0f;
-
-    static ParamTable describe() {
-        using P = BilateralParams;
-        return fields(
-            field(&P::radius_px, "radius", Unit::Pixel)
-                .range(0, 32)
-                .tune(1, 12)
-                .help("Neighbours taken on each side: more remove more noise and cost more; 0 changes nothing."),
-            field(&P::sigma_px, "sigma", Unit::Pixel)
-                .range(0.25, 32, Scale::Log)
-                .tune(1, 8)
-                .help("Standard deviation of the Gaussian over the picture: larger is smoother, and blurs "
-                      "contacts."),
-            field(&P::planeTolerance_px, "plane-tolerance", Unit::Pixel)
-                .range(0.01, 1000, Scale::Log)
-                .tune(0.1, 20)
-                .help("Distance from the tangent plane at which a neighbour's weight has fallen by exp(-1/2), "
-                      "in sizes of a pixel at the surface: larger lets light and shade bleed over steps, "
-                      "smaller leaves noise on curved surfaces."),
-            field(&P::normalPower, "normal-power")
-                .range(0, 256)
-                .tune(0, 64)
-                .help("Exponent of the cosine between the shading normals: higher keeps creases and bumps "
-                      "apart, 0 ignores normals."));
-    }
-};
 
 class BilateralSeparable final : public FilterTechniqueOf<BilateralParams> {
 public:
@@ -52,16 +18,8 @@ public:
 private:
     void blur(FrameContext& frame, const char* name, const gl::Texture& from, const gl::Texture& to,
               const glm::ivec2& step) {
-        const auto pass = frame.pass(name);
-        const gl::Framebuffer target({{&to}}, {}, name);
-        target.bind();
-        gl::apply({});
-        frame.bindGBuffer();
-        from.bind(kFirstFreeUnit);
-        const gl::Program& program =
-            frame.fullscreenProgram(*this, "filter/bilateral-separable/bilateral_separable.frag");
-        program.set("u_step", step);
-        frame.drawFullscreen();
+        filterPass(frame, *this, name, "filter/bilateral-separable/bilateral_separable.frag", from, to,
+                   [&](const gl::Program& program) { program.set("u_step", step); });
     }
 };
 

@@ -8,11 +8,17 @@ namespace {
 
 class NoFilter final : public FilterTechniqueOf<> {
 public:
-    void render(FrameContext&, const gl::Texture& input, const gl::Texture& output) override { copyTexture(input, output); }
+    void render(FrameContext&, const gl::Texture& input, const gl::Texture& output) override {
+        copyTexture(input, output);
+    }
 };
 
 }  // namespace
 
-OMBRAGE_TECHNIQUE(filter, none, NoFilter, {.title = "No filter", .summary = "The image unchanged: the baseline of cost.", .limits = "Cleans nothing.", .neutral = true})
+OMBRAGE_TECHNIQUE(filter, none, NoFilter,
+                  {.title = "No filter",
+                   .summary = "The image unchanged: the baseline of cost.",
+                   .limits = "Cleans nothing.",
+                   .neutral = true})
 
 }  // namespace ombrage

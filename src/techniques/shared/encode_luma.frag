@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The picture as the eye weighs it: sRGB-encoded colour, and in alpha the luma of what a display can show.
-#include "aa/fxaa/srgb.glsl"
+#include "shared/srgb.glsl"
 
 layout(binding = 5) uniform sampler2D t_picture;
 

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "techniques/filter_scenes.h"
+
+namespace ombrage::test {
+namespace {
+
+const std::string kNoisy = "ao/blocks:samples=16,rotation=hash";
+
+double rmseBetween(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (double(a[i]) - double(b[i])) * (double(a[i]) - double(b[i]));
+    return std::sqrt(sum / double(a.size()));
+}
+
+std::vector<float> aoWith(const Scene& scene, const std::string& pipeline, std::uint64_t seed, int frames = 1) {
+    RenderSettings settings = squareSettings(kFilterPicture_px);
+    settings.ao = parsePipeline(Family::Ao, pipeline);
+    settings.seed = seed;
+    settings.frames = frames;
+    const RenderResult result = renderFlat(scene, settings);
+    return {result.ao->plane(0).begin(), result.ao->plane(0).end()};
+}
+
+TEST(Temporal, AStillCameraConvergesToTheMeanOverSeeds) {
+    const Scene scene = noisySlope();
+    constexpr int kSeeds = 96;
+    std::vector<float> mean(std::size_t(kFilterPicture_px * kFilterPicture_px), 0.0f);
+    double single = 0;
+    std::vector<std::vector<float>> pictures;
+    for (int seed = 0; seed < kSeeds; ++seed) {
+        pictures.push_back(aoWith(scene, kNoisy, std::uint64_t(1000 + seed)));
+        for (std::size_t i = 0; i < mean.size(); ++i) mean[i] += pictures.back()[i] / float(kSeeds);
+    }
+    for (int seed = 0; seed < 8; ++seed) single += rmseBetween(pictures[std::size_t(seed)], mean) / 8;
+    ASSERT_GT(single, 0.01);
+    // The plain mean of 33 frames (32 to settle and the one shown): the noise of one over root 33, beside that of the
+    // mean of the seeds itself, over root 96; both are estimates from a picture's worth of pixels, good to a tenth or
+    // two.
+    const double expected = single * std::sqrt(1.0 / 33 + 1.0 / kSeeds);
+    const double is = rmseBetween(aoWith(scene, kNoisy + "+filter/temporal:blend=0,gamma=64", 5), mean);
+    EXPECT_LT(is, 1.25 * expected);
+    EXPECT_GT(is, 0.75 * expected);
+    // An exponential mean of weight b has b / (2 - b) of the variance.
+    const double blended = rmseBetween(aoWith(scene, kNoisy + "+filter/temporal:blend=0.2,gamma=64", 5), mean);
+    EXPECT_NEAR(blended, single * std::sqrt(0.2 / 1.8 + 1.0 / kSeeds), 0.2 * blended);
+}
+
+TEST(Temporal, WithoutHistoryNothingChanges) {
+    // A constant image stays what it is, and a blend of 1 takes the new frame alone; the sky is not touched.
+    for (const float v : aoWith(quadBeforeRibs(), "ao/none+filter/temporal", 1)) ASSERT_EQ(v, 1.0f);
+    const auto blended = aoWith(quadBeforeRibs(), "ao/blocks:rotation=none+filter/temporal:blend=1", 1);
+    EXPECT_EQ(blended, aoWith(quadBeforeRibs(), "ao/blocks:rotation=none", 1));
+}
+
+/// A lit patch on a floor in shadow, and the floor after the patch has moved by 20 pixels in one frame; noise
+/// everywhere else would hide it, so there is none.
+TEST(Temporal, WhatMovedAwayLeavesNoGhost) {
+    const auto ghost = [](const std::string& filter) {
+        const Scene before = lightThroughHole(-20, -10, -20, 20);
+        RenderSettings settings = squareSettings(kFilterPicture_px);
+        settings.shadow = parsePipeline(Family::Shadow, "shadow/ray-traced+" + filter);
+        settings.light = "sun";
+        Renderer renderer;
+        Scene moved = before;
+        renderer.setScene(moved);
+        renderer.render(settings);
+        for (std::size_t i = 1; i < moved.instances.size(); ++i)
+            moved.instances[i].worldFromLocal[3] = glm::dvec4(20, 0, 0, 1);
+        renderer.moveScene(moved);
+        const Image image = renderer.render(settings).visibility.begin()->second;
+        double largest = 0;
+        for (int x = -20; x < -11; ++x)
+            largest = std::max(largest, double(image.plane(0)[std::size_t(48 * kFilterPicture_px + 48 + x)]));
+        return largest;
+    };
+    // Two pixels from the new patch's edge the neighbourhood is dark throughout: the clamp leaves nothing at all.
+    EXPECT_EQ(ghost("filter/temporal"), 0.0);
+}
+
+TEST(Temporal, WhatWasHiddenTakesNothingFromWhatHidIt) {
+    // The open quad goes to the left by 3 pixels a frame, before dark ribs: the three columns that the last frame
+    // uncovers have no history.
+    const Scene scene = quadBeforeRibs();
+    RenderSettings settings = squareSettings(kFilterPicture_px);
+    const auto uncovered = [&](const std::string& pipeline) {
+        settings.ao = parsePipeline(Family::Ao, pipeline);
+        Renderer renderer;
+        renderer.setScene(scene);
+        Scene moved = scene;
+        Image image;
+        for (int i = 0; i < 6; ++i) {
+            moved.instances.back().worldFromLocal[3] = glm::dvec4(-3.0 * i, 0, 0, 1);
+            renderer.moveScene(moved);
+            image = *renderer.render(settings).ao;
+        }
+        std::vector<float> values;
+        for (int y = 36; y < 60; ++y)
+            for (int x = 49; x < 52; ++x) values.push_back(image.plane(0)[std::size_t(y * kFilterPicture_px + x)]);
+        return values;
+    };
+    const std::string still = "ao/blocks:rotation=none";
+    const auto raw = uncovered(still);
+    ASSERT_LT(*std::min_element(raw.begin(), raw.end()), 0.9f);
+    EXPECT_EQ(uncovered(still + "+filter/temporal:gamma=64"), raw);
+    // With every depth taken for the same surface the quad's history stays behind.
+    EXPECT_GT(rmseBetween(uncovered(still + "+filter/temporal:gamma=64,depth-tolerance=1"), raw), 0.05);
+}
+
+}  // namespace
+}  // namespace ombrage::test
