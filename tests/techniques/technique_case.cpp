@@ -33,9 +33,10 @@ nlohmann::json technicalSheet(const TechniqueInfo& info) {
     const nlohmann::json sheet = nlohmann::json::parse(input);
     refuseUnknownKeys(sheet, {"budgets", "metamorphic", "costOnly", "live", "pipeline", "invariance"}, file);
     for (const auto& budget : sheet.value("budgets", nlohmann::json::array()))
-        refuseUnknownKeys(
-            budget,
-            {"scene", "camera", "light", "pipeline", "params", "truth", "spp", "metric", "max", "min", "reason"}, file);
+        refuseUnknownKeys(budget,
+                          {"scene", "camera", "light", "normals", "pipeline", "params", "truth", "spp", "metric", "max",
+                           "min", "reason"},
+                          file);
     for (const auto& fact : sheet.value("metamorphic", nlohmann::json::array()))
         refuseUnknownKeys(fact, {"name", "scene", "camera", "pipeline", "params", "expect"}, file);
     return sheet;

@@ -30,6 +30,10 @@ protected:
         settings.width = kWidth;
         settings.height = kHeight;
         settings.camera = entry.value("camera", "");
+        // The truth's normals are those of the geometry.
+        const std::string normals = entry.value("normals", "map");
+        EXPECT_TRUE(normals == "map" || normals == "geometry") << normals;
+        if (normals == "geometry") settings.normals = NormalSource::Geometry;
         const std::string text = entry.value("pipeline", technicalSheet(info()).value("pipeline", GetParam()));
         const bool aoFirst = info().family == Family::Filter || info().family == Family::Ao;
         Pipeline pipeline = parsePipeline(aoFirst ? Family::Ao : info().family, text);
@@ -135,7 +139,7 @@ TEST_P(EveryTechnique, DegenerateAnswersBreakItsBudgets) {
     std::map<std::string, std::vector<json>> groups;
     for (const json& budget : technicalSheet(info()).value("budgets", json::array()))
         groups[budget.at("scene").get<std::string>() + budget.value("camera", "") + budget.value("light", "") +
-               budget.value("truth", "") + budget.value("pipeline", "") +
+               budget.value("normals", "") + budget.value("truth", "") + budget.value("pipeline", "") +
                budget.value("params", json::object()).dump() + std::to_string(budget.value("spp", 0))]
             .push_back(budget);
     for (const auto& [name, budgets] : groups) {

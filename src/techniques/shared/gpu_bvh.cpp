@@ -13,9 +13,9 @@ constexpr GLuint kNodeStorage = 3;
 
 }  // namespace
 
-GpuBvh::GpuBvh(const GpuScene& scene) {
+GpuBvh::GpuBvh(const GpuScene& scene, const std::vector<std::uint32_t>& triangles) {
     const FlatScene& flat = scene.flat();
-    Bvh bvh = buildBvh(flat.positions, flat.triangles, castingTriangles(scene));
+    Bvh bvh = buildBvh(flat.positions, flat.triangles, triangles);
     std::vector<glm::vec4> nodes;
     nodes.reserve(bvh.nodes.size() * 2);
     for (const BvhNode& node : bvh.nodes) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "techniques/shared/gpu_triangles.h"
 
@@ -12,7 +13,9 @@ namespace ombrage {
 class GpuBvh {
 public:
     /// @throws Error(Environment) when a buffer is larger than the driver's storage blocks.
-    explicit GpuBvh(const GpuScene& scene);
+    explicit GpuBvh(const GpuScene& scene) : GpuBvh(scene, castingTriangles(scene)) {}
+    /// The same over other triangles. @param triangles global ids
+    GpuBvh(const GpuScene& scene, const std::vector<std::uint32_t>& triangles);
 
     /// Binds the storage buffers 3 to 6 and sets the program's uniforms.
     void bind(const gl::Program& program) const;

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <ombrage/error.h>
@@ -63,7 +64,7 @@ void checkStorageSize(std::size_t bytes) {
         throw Error(ErrorCode::Environment,
                     fmt::format("the scene's ray-tracing data takes {} bytes, and this driver's storage blocks hold {}",
                                 bytes, largest),
-                    "Use a smaller scene or another shadow technique.");
+                    "Use a smaller scene or another technique.");
 }
 
 std::vector<std::uint32_t> castingTriangles(const GpuScene& scene) {
@@ -72,6 +73,12 @@ std::vector<std::uint32_t> castingTriangles(const GpuScene& scene) {
     for (std::uint32_t t = 0; t < flat.triangles.size(); ++t)
         if (flat.instances[flat.triangleInstance[t]].casts) casting.push_back(t);
     return casting;
+}
+
+std::vector<std::uint32_t> allTriangles(const GpuScene& scene) {
+    std::vector<std::uint32_t> all(scene.flat().triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
 }
 
 GpuTriangles::GpuTriangles(const GpuScene& scene, std::vector<std::uint32_t> order) {

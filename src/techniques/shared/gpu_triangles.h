@@ -31,6 +31,8 @@ private:
 
 /// Global ids of the triangles whose instances cast.
 std::vector<std::uint32_t> castingTriangles(const GpuScene& scene);
+/// Of all.
+std::vector<std::uint32_t> allTriangles(const GpuScene& scene);
 
 /// @throws Error(Environment) when the driver's storage blocks do not hold that many bytes.
 void checkStorageSize(std::size_t bytes);

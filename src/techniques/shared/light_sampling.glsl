@@ -2,21 +2,13 @@
 // Points of the bound light: spheres and suns uniform in the solid angle of their cone, rects and the disk of a spot uniform in
 // area; rects and disks of a size shine on one side.
 #include "ombrage/light.glsl"
+#include "shared/basis.glsl"
 
 struct LightSample {
     vec3 direction;    // unit, towards the light
     float distance_m;  // to its surface; huge for a sun
     bool facing;       // its lit side is seen
 };
-
-// Two unit vectors that complete n to an orthonormal basis (Duff et al. 2017, equation 4).
-void basisOf(vec3 n, out vec3 t, out vec3 b) {
-    float s = n.z >= 0.0 ? 1.0 : -1.0;
-    float a = -1.0 / (s + n.z);
-    float c = n.x * n.y * a;
-    t = vec3(1.0 + s * n.x * n.x * a, s * c, -s * n.x);
-    b = vec3(c, s + n.y * n.y * a, -n.y);
-}
 
 // Direction in the cone about `axis`; 1 - cos of its half angle is kept apart because it loses all digits in small cones.
 vec3 coneDirection(vec3 axis, float oneMinusCos, vec2 u) {

@@ -21,6 +21,7 @@ public:
 OMBRAGE_TECHNIQUE(ao, none, NoOcclusion,
                   {.title = "No occlusion",
                    .summary = "Visibility of the surroundings is 1 everywhere: the baseline of cost.",
-                   .limits = "Darkens nothing.", .neutral = true})
+                   .limits = "Darkens nothing.",
+                   .neutral = true})
 
 }  // namespace ombrage
