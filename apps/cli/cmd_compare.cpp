@@ -75,9 +75,10 @@ Command compareCommand() {
                 options.add("--again", "measure also what DIR holds already, and replace it", Take::Flag);
                 options.add("--spp",
                             "N: samples per pixel of the truth (1 for hard lights, 1024 for soft ones, 256 for ao)");
-                options.add("--truth",
-                            "shadow, self or area for shadows; T1 to T5, T5-ball, own or area for ao (T1 and own "
-                            "by default); area for aa");
+                options.add(
+                    "--truth",
+                    "shadow, self or area for shadows; T1 to T5, T5-ball, own, displaced or area for ao (T1 and own "
+                    "by default); area for aa");
                 options.add("--motion",
                             "NAME[:CASTER][,NAME...]: measures flicker and lag under these scripts too ('ombrage list "
                             "motions'); may be repeated",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
+#include <ombrage/displace.h>
 #include <ombrage/error.h>
 #include <ombrage/image.h>
 #include <ombrage/reference.h>
@@ -8,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "commands.h"
 #include "progress.h"
@@ -75,7 +77,10 @@ int runReference(const Options& options) {
     reference.progress = [&](double share) {
         return progress(scene.name + ": tracing " + quantityName(quantity), share);
     };
-    const Reference truth(scene);
+    const std::optional<TruthKind> asked = reference.kind;
+    const bool isDisplaced = asked == TruthKind::Displaced;
+    if (isDisplaced) reference.kind = TruthKind::T1;
+    const Reference truth(isDisplaced ? displaced(scene) : scene);
 
     std::string extension = std::filesystem::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -84,10 +89,10 @@ int runReference(const Options& options) {
         {"schema", "ombrage/reference/1"},     {"output", file},        {"scene", scene.name},
         {"scene_hash", contentHash(scene)},    {"camera", camera.name}, {"quantity", quantityName(quantity)},
         {"size", {frame.width, frame.height}}, {"seed", frame.seed}};
-    if (reference.kind || !truthKindsOf(quantity).empty())
-        json["truth"] = quantity == Quantity::Picture && !reference.kind
+    if (asked || !truthKindsOf(quantity).empty())
+        json["truth"] = quantity == Quantity::Picture && !asked
                             ? nlohmann::ordered_json(nullptr)
-                            : nlohmann::ordered_json(truthKindName(reference.kind.value_or(truthKindsOf(quantity)[0])));
+                            : nlohmann::ordered_json(truthKindName(asked.value_or(truthKindsOf(quantity)[0])));
     if (claim) json["technique"] = toString(parsePipeline(Family::Ao, options.text("technique")));
     const auto keep = [&](const auto& result) {
         writeImage(file, truthImage(result, extension == ".exr"));
@@ -137,9 +142,10 @@ Command referenceCommand() {
                 options.add("-o,--output", "FILE.exr (visibility, standard_error, mask) or .png (visibility)");
                 options.add("--quantity", "shadow (of --light, or the first light), ao, indirect or picture");
                 options.add("--spp", "N: samples per pixel (1 for hard lights, 1024 for soft ones, 256 for ao)");
-                options.add("--truth",
-                            "shadow, self or area for shadows; T1 to T5, T5-ball, own or area for ao; area for "
-                            "picture");
+                options.add(
+                    "--truth",
+                    "shadow, self or area for shadows; T1 to T5, T5-ball, own, displaced or area for ao; area for "
+                    "picture");
                 options.add("--technique", "ID[:key=value,...]: whose integral --truth own traces");
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);

@@ -127,7 +127,7 @@ Command tuneCommand() {
                 options.add("--export", "threejs, godot, filament or gl: the answer in that engine's units, into DIR");
                 options.add("--again", "measure also what DIR holds already, and replace it", Take::Flag);
                 options.add("--spp", "N: samples per pixel of the truth");
-                options.add("--truth", "shadow, self or area for shadows; T1 to T5, T5-ball or area for ao");
+                options.add("--truth", "shadow, self or area for shadows; T1 to T5, T5-ball, displaced or area for ao");
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);
             },

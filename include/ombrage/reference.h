@@ -185,7 +185,7 @@ private:
 };
 
 /// Marks valid pixels whose triangle differs from what the rasteriser saw as Mask::Disagree and updates maskedShare.
-/// @param instance, triangle as in Receivers, read back from a G-buffer of the same size.
+/// @param instance, triangle as in Receivers, read back from a G-buffer of the same size; without triangles the instances alone must agree.
 void maskDisagreement(std::vector<Mask>& mask, double& maskedShare, const Receivers& receivers,
                       const std::vector<std::uint32_t>& instance, const std::vector<std::uint32_t>& triangle);
 

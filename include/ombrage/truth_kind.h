@@ -20,6 +20,7 @@ enum class TruthKind {
     T5,      ///< free volume of the half-ball of radius R about the shading normal
     T5Ball,  ///< free volume of the whole ball
     Own,     ///< the integral that a technique claims
+    Displaced,  ///< T1 of the scene with its height maps made geometry, on that geometry's receivers
     Area     ///< the first kind of the quantity, averaged over 16 points of each pixel
 };
 
@@ -28,7 +29,7 @@ const char* quantityName(Quantity quantity);
 /// @throws Error(Usage) with a suggestion.
 Quantity quantityFromName(const std::string& name);
 
-/// "shadow", "self", "T1" ... "T5", "T5-ball", "own", "area".
+/// "shadow", "self", "T1" ... "T5", "T5-ball", "own", "displaced", "area".
 const char* truthKindName(TruthKind kind);
 
 /// The kinds that the quantity has, its default first.

@@ -94,7 +94,7 @@ std::string motionMisfit(const Motion& motion, Family family, TruthKind kind) {
     if (family != Family::Shadow && family != Family::Ao)
         return name + " is measured for shadows and ambient occlusion alone";
     if (family == Family::Ao && motion.movesLight()) return name + " changes nothing of ambient occlusion";
-    if (kind == TruthKind::Area || kind == TruthKind::Own)
+    if (kind == TruthKind::Area || kind == TruthKind::Own || kind == TruthKind::Displaced)
         return name + " has no truth of the kind '" + truthKindName(kind) + "'";
     return {};
 }
@@ -163,7 +163,7 @@ ScenePlan planScene(const Scene& scene, const CompareRequest& request) {
                 throw Error(
                     ErrorCode::Usage, misfit,
                     "shadows are held against shadow, self or area, ambient occlusion against T1 to T5, T5-ball, "
-                    "own or area, anti-aliasing against area");
+                    "own, displaced or area, anti-aliasing against area");
             plan.skipped.push_back({scene.name, techniqueText(pipeline), misfit});
             return;
         }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include <ombrage/displace.h>
 #include <ombrage/error.h>
 #include <ombrage/version.h>
 
@@ -138,8 +139,15 @@ SceneRunner::AoCase& SceneRunner::aoCase(TruthKind kind, const Pipeline& pipelin
     AoCase made;
     made.kind = kind;
     made.pipeline = claimed;
-    made.truth =
-        kind == TruthKind::Area ? m_reference->areaAo(camera, options) : m_reference->ao(seen, camera, options);
+    if (kind == TruthKind::Displaced) {
+        const Reference reference(displaced(m_moved));
+        options.kind = TruthKind::T1;
+        made.receivers = reference.receivers(camera, options);
+        made.truth = reference.ao(*made.receivers, camera, options);
+    } else {
+        made.truth =
+            kind == TruthKind::Area ? m_reference->areaAo(camera, options) : m_reference->ao(seen, camera, options);
+    }
     made.truthPath = save(truthName(-1, kind, claimed), "truth",
                           greyPicture(made.truth.visibility, made.truth.width, made.truth.height));
     m_ao.push_back(std::move(made));
@@ -201,7 +209,9 @@ void SceneRunner::measureAoRun(const Measured& run, RunRecord& record) {
     if (!run.result.ao) throw Error(ErrorCode::Environment, "the renderer gave no ambient visibility");
     const std::span<const float> measured = run.result.ao->plane(0);
     AoTruth truth = known.truth;
-    if (run.kind != TruthKind::Area)
+    if (known.receivers)
+        maskDisagreement(truth.mask, truth.maskedShare, *known.receivers, run.result.instance, {});
+    else if (run.kind != TruthKind::Area)
         maskDisagreement(truth.mask, truth.maskedShare, receivers(), run.result.instance, run.result.triangle);
     record.metrics = measureAo(measured, truth);
     if (wants("noise"))

@@ -51,6 +51,7 @@ private:
         TruthKind kind = TruthKind::T1;
         std::string pipeline;  ///< of TruthKind::Own: what claims it
         AoTruth truth;
+        std::optional<Receivers> receivers;  ///< where they are not the scene's
         std::string truthPath;
     };
     /// What one record is made of.

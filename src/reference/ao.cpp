@@ -18,6 +18,9 @@ TruthKind checkedKind(const ReferenceOptions& options) {
     truthKindFromName(truthKindName(kind), Quantity::Ao);
     if (kind == TruthKind::Area)
         throw Error(ErrorCode::Usage, "the truth 'area' has receivers of its own", "Use Reference::areaAo.");
+    if (kind == TruthKind::Displaced)
+        throw Error(ErrorCode::Usage, "the truth 'displaced' is that of another scene",
+                    "Make a Reference of displaced(scene) and ask it for T1.");
     if (kind == TruthKind::Own && !options.integrand)
         throw Error(ErrorCode::Usage, "the truth 'own' needs a technique that states what it claims");
     return kind;

@@ -114,11 +114,13 @@ void checkReceivers(const Receivers& r) {
 void maskDisagreement(std::vector<Mask>& mask, double& maskedShare, const Receivers& receivers,
                       const std::vector<std::uint32_t>& instance, const std::vector<std::uint32_t>& triangle) {
     const std::size_t n = receivers.triangle.size();
-    if (mask.size() != n || instance.size() != n || triangle.size() != n)
+    if (mask.size() != n || instance.size() != n || (!triangle.empty() && triangle.size() != n))
         throw Error(ErrorCode::Usage, "the picture's ids and the receivers differ in size");
-    for (std::size_t i = 0; i < n; ++i)
-        if (mask[i] == Mask::Valid && (instance[i] != receivers.instance[i] || triangle[i] != receivers.triangle[i]))
-            mask[i] = Mask::Disagree;
+    for (std::size_t i = 0; i < n; ++i) {
+        const bool agree =
+            instance[i] == receivers.instance[i] && (triangle.empty() || triangle[i] == receivers.triangle[i]);
+        if (mask[i] == Mask::Valid && !agree) mask[i] = Mask::Disagree;
+    }
     maskedShare = maskedShareOf(mask);
 }
 

@@ -11,8 +11,9 @@ namespace ombrage {
 namespace {
 
 constexpr Quantity kQuantities[] = {Quantity::Shadow, Quantity::Ao, Quantity::Indirect, Quantity::Picture};
-constexpr TruthKind kKinds[] = {TruthKind::Shadow, TruthKind::Self, TruthKind::T1,     TruthKind::T2,  TruthKind::T3,
-                                TruthKind::T4,     TruthKind::T5,   TruthKind::T5Ball, TruthKind::Own, TruthKind::Area};
+constexpr TruthKind kKinds[] = {TruthKind::Shadow, TruthKind::Self,      TruthKind::T1,  TruthKind::T2,
+                                TruthKind::T3,     TruthKind::T4,        TruthKind::T5,  TruthKind::T5Ball,
+                                TruthKind::Own,    TruthKind::Displaced, TruthKind::Area};
 
 }  // namespace
 
@@ -59,6 +60,8 @@ const char* truthKindName(TruthKind kind) {
             return "T5-ball";
         case TruthKind::Own:
             return "own";
+        case TruthKind::Displaced:
+            return "displaced";
         case TruthKind::Area:
             return "area";
     }
@@ -67,8 +70,9 @@ const char* truthKindName(TruthKind kind) {
 
 const std::vector<TruthKind>& truthKindsOf(Quantity quantity) {
     static const std::vector<TruthKind> shadow{TruthKind::Shadow, TruthKind::Self, TruthKind::Area};
-    static const std::vector<TruthKind> ao{TruthKind::T1, TruthKind::T2,     TruthKind::T3,  TruthKind::T4,
-                                           TruthKind::T5, TruthKind::T5Ball, TruthKind::Own, TruthKind::Area};
+    static const std::vector<TruthKind> ao{TruthKind::T1,  TruthKind::T2,        TruthKind::T3,
+                                           TruthKind::T4,  TruthKind::T5,        TruthKind::T5Ball,
+                                           TruthKind::Own, TruthKind::Displaced, TruthKind::Area};
     // Neither has a question of its own: the light that arrives, at the pixel's centre or over the pixel.
     static const std::vector<TruthKind> indirect{}, picture{TruthKind::Area};
     switch (quantity) {

@@ -33,18 +33,23 @@ Mesh column(float height) {
 
 Scene bumpy() {
     SceneBuilder builder("bumpy");
-    constexpr float kScale_uv = 0.03f;
+    constexpr float kScale_uv = 0.03f, kTileScale_uv = 0.02f;
     const int bricks = builder.texture(patterns::brickHeights());
     const int brickNormals = builder.texture(patterns::normalsOf(patterns::brickHeights(), kScale_uv));
     const int tiles = builder.texture(patterns::tileHeights());
-    Material mapped = paint(kClay);
-    mapped.normalTexture = brickNormals;
+    const int tileNormals = builder.texture(patterns::normalsOf(patterns::tileHeights(), kTileScale_uv));
+    const auto mapped = [](glm::vec3 color, int heights, int normals, float scale_uv) {
+        Material material = heightMapped(color, heights, scale_uv);
+        material.normalTexture = normals;
+        return material;
+    };
     return builder
-        .object("floor", shapes::rectangle({0, 0, 6}, {6, 0, 0}, {0, 0, -6}, 6, 6), heightMapped(kStone, tiles, 0.02f),
-                glm::dmat4(1.0))
+        .object("floor", shapes::rectangle({0, 0, 6}, {6, 0, 0}, {0, 0, -6}, 6, 6),
+                mapped(kStone, tiles, tileNormals, kTileScale_uv), glm::dmat4(1.0))
         .object("back wall", shapes::rectangle({0, 0, 0}, {6, 0, 0}, {0, 3, 0}, 6, 3),
-                heightMapped(kClay, bricks, kScale_uv), glm::dmat4(1.0))
-        .object("left wall", shapes::rectangle({0, 0, 6}, {0, 0, -6}, {0, 3, 0}, 6, 3), mapped, glm::dmat4(1.0))
+                mapped(kClay, bricks, brickNormals, kScale_uv), glm::dmat4(1.0))
+        .object("left wall", shapes::rectangle({0, 0, 6}, {0, 0, -6}, {0, 3, 0}, 6, 3),
+                mapped(kClay, bricks, brickNormals, kScale_uv), glm::dmat4(1.0))
         .object("pipe", shapes::cylinder({0, -0.01f, 0}, 0.06f, 2.6f), kSlate, {0.45, 0.0, 0.9})
         .object("crate", shapes::box({-0.35f, -0.01f, -0.35f}, {0.35f, 0.6f, 0.35f}), kStraw, {1.3, 0.0, 0.75}, 25.0)
         .point("lamp", {2.3, 2.1, 1.9}, 10.0f)

@@ -99,9 +99,9 @@ TEST_F(Cli, ReferenceWritesItsPlanes) {
 
 TEST_F(Cli, TracesEveryKindOfTruth) {
     const std::vector<std::vector<std::string>> questions = {
-        {"shadow", "shadow"}, {"shadow", "self"}, {"shadow", "area"},  {"ao", "T1"},
-        {"ao", "T2"},         {"ao", "T3"},       {"ao", "T4"},        {"ao", "T5"},
-        {"ao", "T5-ball"},    {"ao", "area"},     {"picture", "area"}, {"indirect"}};
+        {"shadow", "shadow"}, {"shadow", "self"},  {"shadow", "area"}, {"ao", "T1"},      {"ao", "T2"},
+        {"ao", "T3"},         {"ao", "T4"},        {"ao", "T5"},       {"ao", "T5-ball"}, {"ao", "displaced"},
+        {"ao", "area"},       {"picture", "area"}, {"indirect"}};
     for (const auto& question : questions) {
         std::vector<std::string> arguments = {"reference", "gap", "-o",     "x.png",      "--size",   "16x9",
                                               "--spp",     "8",   "--json", "--quantity", question[0]};
