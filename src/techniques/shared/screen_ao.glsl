@@ -5,6 +5,10 @@
 #include "ombrage/gbuffer.glsl"
 #include "shared/sample_patterns.glsl"
 #include "shared/view_depths.glsl"
+#if PIXELS == PIXELS_DEINTERLEAVED
+#include "shared/ao_parts.glsl"
+layout(binding = 7) uniform sampler2D t_aoParts;    // depths as in the G-buffer
+#endif
 
 #if ROTATION == ROTATION_BLUE_NOISE
 layout(binding = 5) uniform sampler2D t_aoNoise;    // [0,1), tiles
@@ -29,6 +33,8 @@ struct AoPoint {
 ivec2 aoPixel() {
 #if PIXELS == PIXELS_HALF
     return 2 * ivec2(gl_FragCoord.xy);
+#elif PIXELS == PIXELS_DEINTERLEAVED
+    return aoPixelOfPart(ivec2(gl_FragCoord.xy));
 #else
     return ivec2(gl_FragCoord.xy);
 #endif
@@ -67,8 +73,18 @@ bool aoPlace(vec3 q_view, out vec2 at_px) {
 
 bool aoIsInside(vec2 at_px) { return all(greaterThanEqual(at_px, vec2(0.0))) && all(lessThan(at_px, frameViewport.xy)); }
 
-// The surface that a place of the picture shows, at the middle of its pixel. False where it is the sky.
+// The surface that a place of the picture shows, at the middle of its pixel, or of the nearest pixel of the receiver's own part. False
+// where it is the sky.
 bool aoSurface(vec2 at_px, out vec3 q_view) {
+#if PIXELS == PIXELS_DEINTERLEAVED
+    ivec2 part = aoPixel() % AO_PART_STRIDE;
+    ivec2 cell = clamp(ivec2(floor((at_px - vec2(part)) / float(AO_PART_STRIDE) + 0.375)), ivec2(0),
+                       (ivec2(frameViewport.xy) - 1 - part) / AO_PART_STRIDE);
+    vec2 uv = (vec2(cell * AO_PART_STRIDE + part) + 0.5) * frameViewport.zw;
+    float depth = texelFetch(t_aoParts, part * aoPartSize() + cell, 0).r;
+    q_view = positionViewFromDepth(uv, depth);
+    return depth != 0.0;
+#endif
     vec2 uv = (floor(at_px) + 0.5) * frameViewport.zw;
     float depth = gbufferDepthAt(uv);
     q_view = positionViewFromDepth(uv, depth);
@@ -114,6 +130,10 @@ float aoClippedZ(AoPoint at, vec3 q_view, vec2 at_px) {
 
 // Two numbers of [0,1) for a pixel, by the technique's `rotation`: a share of a full turn, and one more that is independent of it.
 vec2 aoNoise(ivec2 px) {
+#if PIXELS == PIXELS_DEINTERLEAVED
+    // One turn for each part, so that neighbouring threads read neighbouring depths.
+    px %= AO_PART_STRIDE;
+#endif
     uint seed = frame.random.x;
 #if ROTATION == ROTATION_NONE
     return vec2(0.0, 0.5);

@@ -17,13 +17,15 @@
 namespace ombrage {
 
 /// How many of the picture's pixels are receivers: all, or one of each 2x2 with joint bilateral upsampling after it.
-enum class AoPixels { Full, Half };
+/// Deinterleaved: all, but in 16 pictures of every fourth pixel across and down, each of which reads its own depths
+/// alone (Bavoil 2013).
+enum class AoPixels { Full, Half, Deinterleaved };
 /// How samples turn from pixel to pixel (aoTurn() in shared/screen_ao.glsl).
 enum class AoRotation { None, Gradient, Hash, Tile, BlueNoise };
 
 template <>
 struct EnumChoices<AoPixels> {
-    static std::vector<std::string> names() { return {"full", "half"}; }
+    static std::vector<std::string> names() { return {"full", "half", "deinterleaved"}; }
 };
 template <>
 struct EnumChoices<AoRotation> {
@@ -56,7 +58,8 @@ struct ScreenAoPass {
 };
 
 inline constexpr unsigned kUnitAoNoise = kFirstFreeUnit, kUnitAoDepths = kFirstFreeUnit + 1;
-inline constexpr unsigned kFirstAoUnit = kFirstFreeUnit + 2;
+inline constexpr unsigned kUnitAoParts = kFirstFreeUnit + 2;  ///< depths by parts, of AoPixels::Deinterleaved
+inline constexpr unsigned kFirstAoUnit = kFirstFreeUnit + 3;
 
 /// Draws occlusion over the picture, or over a quarter of its pixels and then over the rest from these.
 class ScreenAo {
@@ -72,6 +75,9 @@ public:
     std::uint64_t gpuBytes() const;
 
 private:
+    void drawReceivers(FrameContext& frame, Technique& technique, const ScreenAoParams& params,
+                       const ScreenAoPass& pass, const gl::Texture& target, const gl::Texture* parts);
+
     gl::Texture m_blueNoise;
     ViewDepths m_depths;
 };

@@ -76,7 +76,7 @@ float alongSight(vec3 normal, vec3 eye) {
 }
 
 #if SAMPLING == SAMPLING_AREAS
-layout(binding = 7) uniform sampler2D t_moments;   // DepthMoments
+layout(binding = 8) uniform sampler2D t_moments;   // DepthMoments
 uniform float u_margin;
 uniform int u_lastLevel;
 
