@@ -138,7 +138,7 @@ def kernels(lab):
     for scene in scenes:
         found = list(lab.compared(scene, pipelines).values())
         times = list(lab.timed(scene, pipelines).values())
-        known[scene] = [[p, m["noise"] ** 0.5, m["residual"], m["psnr"], t] for p, m, t in zip(pipelines, found, times)]
+        known[scene] = [[p, m["noise"], m["residual"], m["psnr"], t] for p, m, t in zip(pipelines, found, times)]
         print(f"\n### {name(scene)}: kernels of 16, 32 and 64")
         table(["pipeline", "noise (standard deviation)", "residual", "psnr", "time over the G-buffer's"], [[f"`{r[0]}`", *r[1:]] for r in known[scene]])
 

@@ -27,6 +27,7 @@ int runCompare(const Options& options) {
     request.outputDir = requiredText(options, "output", "folder for the results (-o DIR)");
     request.sceneOptions = sceneOptions(options);
     request.base = frameSettings(options);
+    request.base.normals = normalSource(options);
     request.base.frames = kCompareFrames;
     request.base.warmupFrames = kCompareWarmupFrames;
     request.truthSamples = int(options.integer("spp", 0, 0, 1 << 20));
@@ -85,6 +86,7 @@ Command compareCommand() {
                             Take::Many);
                 options.add("--fail-on", "\"[ID.]METRIC>NUMBER\" (or >=, <, <=): exit 1 when it holds; may be repeated",
                             Take::Many);
+                addNormalsOption(options);
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);
             },

@@ -24,6 +24,7 @@ TuneRequest requestOf(const Options& options) {
     request.outputDir = requiredText(options, "output", "folder for the results (-o DIR)");
     request.sceneOptions = sceneOptions(options);
     request.base = frameSettings(options);
+    request.base.normals = normalSource(options);
     request.metric = options.text("metric", request.metric);
     request.truthSamples = int(options.integer("spp", 0, 0, 1 << 20));
     request.truthKind = options.text("truth");
@@ -128,6 +129,7 @@ Command tuneCommand() {
                 options.add("--again", "measure also what DIR holds already, and replace it", Take::Flag);
                 options.add("--spp", "N: samples per pixel of the truth");
                 options.add("--truth", "shadow, self or area for shadows; T1 to T5, T5-ball, displaced or area for ao");
+                addNormalsOption(options);
                 addSceneOptions(options);
                 options.add("--json", "one JSON document on standard output", Take::Flag);
             },

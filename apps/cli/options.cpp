@@ -255,6 +255,14 @@ void addSceneOptions(Options& options) {
     options.add("--allow-outside", "let a scene file name models outside its folder", Take::Flag);
 }
 
+void addNormalsOption(Options& options) {
+    options.add("--normals", "geometry, bump or map (map)");
+}
+
+NormalSource normalSource(const Options& options) {
+    return NormalSource(options.choice("normals", {"geometry", "bump", "map"}, std::size_t(RenderSettings{}.normals)));
+}
+
 void addRenderOptions(Options& options) {
     const auto id = [](Family family) { return "ID[:key=value,...]: as in " + exampleId(family); };
     options.add("--shadow", id(Family::Shadow));
@@ -263,7 +271,7 @@ void addRenderOptions(Options& options) {
     options.add("--indirect", id(Family::Indirect));
     options.add("--aa", id(Family::Aa));
     options.add("--set", "ID.param=value: a parameter of a technique in use; may be repeated", Take::Many);
-    options.add("--normals", "geometry, bump or map (map)");
+    addNormalsOption(options);
     options.add("--shading", "phong, blinn or pbr (blinn)");
     options.add("--composite", "lighting, modulate or overlay[:opacity] (lighting)");
     options.add("--ambient", "constant, ao or off (ao)");
@@ -312,8 +320,7 @@ RenderSettings frameSettings(const Options& options) {
 RenderSettings renderSettings(const Options& options) {
     RenderSettings settings = frameSettings(options);
     setPipelines(options, settings);
-    settings.normals =
-        NormalSource(options.choice("normals", {"geometry", "bump", "map"}, std::size_t(settings.normals)));
+    settings.normals = normalSource(options);
     settings.shading = Shading(options.choice("shading", {"phong", "blinn", "pbr"}, std::size_t(settings.shading)));
     settings.ambient = AmbientTerm(options.choice("ambient", {"constant", "ao", "off"}, std::size_t(settings.ambient)));
     if (options.has("composite")) {

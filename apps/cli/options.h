@@ -77,6 +77,9 @@ void addRenderOptions(Options& options);
 
 SceneOptions sceneOptions(const Options& options);
 RendererOptions rendererOptions(const Options& options);
+/// --normals
+void addNormalsOption(Options& options);
+NormalSource normalSource(const Options& options);
 /// Size, camera, light, time and seed.
 RenderSettings frameSettings(const Options& options);
 /// Pipelines with their parameters, shading and composing as well.

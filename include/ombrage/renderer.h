@@ -21,6 +21,9 @@ enum class Shading { Phong, Blinn, Pbr };
 enum class Composite { Lighting, Modulate, Overlay };
 enum class AmbientTerm { Constant, Ao, Off };
 
+/// "geometry", "bump", "map".
+const char* normalSourceName(NormalSource source);
+
 /// What the clock brackets: every pass by itself, or the frame as a whole. A wall clock (DeviceInfo::clock) must finish the
 /// queue at both ends of what it times, so timing passes by it keeps one from overlapping the next.
 enum class Timing { Passes, Frame };

@@ -112,6 +112,8 @@ std::vector<std::string> wordsOf(const std::string& scene, const CompareRequest&
     addPoint("--target", options.target);
     if (options.allowOutside) words.emplace_back("--allow-outside");
     if (request.base.time_s != 0) words.insert(words.end(), {"--time", formatNumber(request.base.time_s)});
+    if (request.base.normals != RenderSettings{}.normals)
+        words.insert(words.end(), {"--normals", normalSourceName(request.base.normals)});
     if (!shaderDir.empty()) words.insert(words.end(), {"--shader-dir", shaderDir});
     return words;
 }

@@ -76,6 +76,7 @@ std::string RunRecord::toJson() const {
     json["camera"] = camera;
     json["light"] = light.empty() ? Json(nullptr) : Json(light);
     json["time_s"] = time_s;
+    json["normals"] = normals;
     json["motion"] = motion.empty() ? Json(nullptr) : Json(motion);
     json["size"] = {width, height};
     json["family"] = family;
@@ -125,6 +126,7 @@ RunRecord RunRecord::fromJson(const std::string& text, const std::string& where)
         if (!json.at("light").is_null()) r.light = json.at("light").get<std::string>();
         // Earlier versions told none of these three.
         r.time_s = json.value("time_s", 0.0);
+        r.normals = json.value("normals", std::string("map"));
         r.asked = json.value("asked", std::vector<std::string>());
         if (json.contains("motion") && !json.at("motion").is_null()) r.motion = json.at("motion").get<std::string>();
         r.width = json.at("size").at(0).get<int>();
@@ -190,6 +192,7 @@ std::string identityOf(const RunRecord& r) {
                   r.width, r.height,    r.seed,   r.pipeline, r.truth ? r.truth->kind : std::string()};
     // Last and only where it says something: the texts of earlier versions mean the same run.
     if (r.time_s != 0) identity.push_back(r.time_s);
+    if (r.normals != "map") identity.push_back(r.normals);
     return dump(identity);
 }
 

@@ -15,7 +15,7 @@ namespace ombrage {
 
 /// What one run measured: a technique, a scene, a camera and, for shadows, a light. The form on disk is one record of
 /// the store and one line of DIR/records.jsonl, schema ombrage/record/1 (design section 8); `pipeline`, `family`,
-/// `time_s` and `asked` are additions to it.
+/// `time_s`, `normals` and `asked` are additions to it.
 struct RunRecord {
     struct Timing {
         double median = 0, p95 = 0;
@@ -41,8 +41,9 @@ struct RunRecord {
     };
 
     std::string scene, sceneHash, camera;
-    std::string light;   ///< "" (null on disk) where the family has none
-    double time_s = 0;   ///< of the scene's animations
+    std::string light;            ///< "" (null on disk) where the family has none
+    double time_s = 0;            ///< of the scene's animations
+    std::string normals = "map";  ///< what shading normals came from, by normalSourceName()
     std::string motion;  ///< script that was played, as parseMotion takes it; "" (null on disk) for a still picture
     int width = 0, height = 0;
     std::string family;

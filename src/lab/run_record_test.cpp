@@ -47,14 +47,19 @@ TEST(RunRecord, TellsTimesAndHowItWasAskedFor) {
     RunRecord record = sampleRecord();
     const std::string identity = identityOf(record);
     record.time_s = 1.5;
+    const std::string later = identityOf(record);
+    record.normals = "bump";
+    EXPECT_NE(identityOf(record), later) << "other normals are another question";
     record.asked = {"models/a b.obj", "--ground"};
     EXPECT_EQ(RunRecord::fromJson(record.toJson(), "test"), record);
     EXPECT_NE(identityOf(record), identity) << "another moment of an animation is another question";
     auto old = nlohmann::ordered_json::parse(record.toJson());
     old.erase("time_s");
+    old.erase("normals");
     old.erase("asked");
     const RunRecord read = RunRecord::fromJson(old.dump(), "test");
     EXPECT_EQ(read.time_s, 0);
+    EXPECT_EQ(read.normals, "map");
     EXPECT_TRUE(read.asked.empty());
 }
 
@@ -68,9 +73,9 @@ TEST(RunRecord, ReadsFoldersWithoutSamples) {
 TEST(RunRecord, HasTheKeysOfTheSchema) {
     const auto json = nlohmann::json::parse(sampleRecord().toJson());
     EXPECT_EQ(json["schema"], "ombrage/record/1");
-    for (const char* key : {"scene",   "scene_hash", "camera",  "light",  "motion", "size",      "technique", "params",
-                            "metrics", "truth",      "passes",  "gpu_ms", "cpu_ms", "gpu_bytes", "counters",  "seed",
-                            "asked",   "time_s",     "version", "device", "images", "warnings"})
+    for (const char* key : {"scene",   "scene_hash", "camera",  "light",   "motion", "size",      "technique", "params",
+                            "metrics", "truth",      "passes",  "gpu_ms",  "cpu_ms", "gpu_bytes", "counters",  "seed",
+                            "asked",   "time_s",     "normals", "version", "device", "images",    "warnings"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_EQ(json["size"], nlohmann::json::array({640, 360}));
     EXPECT_EQ(json["params"]["resolution"], 2048);

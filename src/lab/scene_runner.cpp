@@ -270,6 +270,7 @@ RunRecord SceneRunner::describe(const PlannedRun& planned, const RenderSettings&
     record.camera = m_scene.cameras[std::size_t(m_camera)].name;
     if (planned.light >= 0) record.light = settings.light;
     record.time_s = settings.time_s;
+    record.normals = normalSourceName(settings.normals);
     record.width = settings.width;
     record.height = settings.height;
     record.family = familyName(planned.family);

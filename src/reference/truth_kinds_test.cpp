@@ -230,14 +230,13 @@ TEST(TruthKinds, OwnKnowsTheWayToTheEye) {
         options.kind = TruthKind::Own;
         options.integrand = &integrand;
         const AoTruth truth = reference.ao(reference.receivers(camera, options), camera, options);
-        // 45 degrees in the middle; across the tilt a perspective camera has one edge steeper, an orthographic one
-        // none.
-        const double left = double(truth.visibility[24]), right = double(truth.visibility[31]);
-        EXPECT_NEAR((left + right) / 2, std::sqrt(0.5), 0.06);
-        if (orthographic)
-            EXPECT_NEAR(left, right, 1e-6);
-        else
-            EXPECT_GT(std::abs(left - right), 0.1);
+        // The middles of the first and the last pixel of a row lie at -7/8 and 7/8 across, and 1/8 up. A perspective
+        // camera looks along f + t (x r + y u) there, whose share against the floor's normal is (1 + t x) / sqrt(2) of
+        // its length.
+        const double t = orthographic ? 0 : std::tan(0.5 * double(camera.fovY_rad));
+        const double length = std::sqrt(1 + t * t * 50.0 / 64);
+        EXPECT_NEAR(truth.visibility[24], (1 - t * 7 / 8) * std::sqrt(0.5) / length, 1e-5);
+        EXPECT_NEAR(truth.visibility[31], (1 + t * 7 / 8) * std::sqrt(0.5) / length, 1e-5);
     }
 }
 

@@ -11,6 +11,18 @@
 
 namespace ombrage {
 
+const char* normalSourceName(NormalSource source) {
+    switch (source) {
+        case NormalSource::Geometry:
+            return "geometry";
+        case NormalSource::Bump:
+            return "bump";
+        case NormalSource::Map:
+            return "map";
+    }
+    return "";
+}
+
 namespace {
 
 std::vector<glm::dmat4> placementsOf(const Scene& scene) {

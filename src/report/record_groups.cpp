@@ -14,34 +14,45 @@ namespace ombrage {
 
 namespace {
 
-std::string timeText(const RunRecord& record) {
-    return record.time_s == 0 ? "" : ", at " + formatNumber(record.time_s) + " s";
+/// What differs from a scene as it is.
+std::string settingsText(const RunRecord& record) {
+    return (record.time_s == 0 ? "" : ", at " + formatNumber(record.time_s) + " s") +
+           (record.normals == "map" ? "" : ", normals of " + record.normals);
 }
 
 }  // namespace
 
 std::string RecordGroup::place() const {
     const RunRecord& r = first();
-    return r.scene + (r.light.empty() ? "" : ", light " + r.light) + timeText(r) +
+    return r.scene + (r.light.empty() ? "" : ", light " + r.light) + settingsText(r) +
            (r.motion.empty() ? "" : ", under " + r.motion);
 }
 
 std::string RecordGroup::title() const {
     const RunRecord& r = first();
-    return r.scene + ": " + r.family + (r.light.empty() ? "" : ", light " + r.light) + timeText(r) +
+    return r.scene + ": " + r.family + (r.light.empty() ? "" : ", light " + r.light) + settingsText(r) +
            (r.motion.empty() ? "" : ", under " + r.motion) +
            (hasOwnTruth(r) ? ", against what each technique claims" : "");
 }
 
 std::vector<RecordGroup> groupRecords(const std::vector<RunRecord>& records) {
-    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, double, std::string, int,
-                           int, std::string>;
+    using Key = std::tuple<std::string, std::string, std::string, std::string, std::string, double, std::string,
+                           std::string, int, int, std::string>;
     std::vector<RecordGroup> groups;
     std::map<Key, std::size_t> places;
     for (std::size_t i = 0; i < records.size(); ++i) {
         const RunRecord& r = records[i];
-        const Key key{r.scene,  r.sceneHash, r.family, r.camera, r.light,
-                      r.time_s, r.motion,    r.width,  r.height, r.truth ? r.truth->kind : std::string()};
+        const Key key{r.scene,
+                      r.sceneHash,
+                      r.family,
+                      r.camera,
+                      r.light,
+                      r.time_s,
+                      r.normals,
+                      r.motion,
+                      r.width,
+                      r.height,
+                      r.truth ? r.truth->kind : std::string()};
         const auto [place, isNew] = places.emplace(key, groups.size());
         if (isNew) groups.emplace_back();
         groups[place->second].records.push_back(&r);
@@ -110,6 +121,11 @@ std::string settingsFor(const RunRecord& r) {
     code += "settings.camera = " + quoted(r.camera) + ";\n";
     if (!r.light.empty()) code += "settings.light = " + quoted(r.light) + ";\n";
     if (r.time_s != 0) code += "settings.time_s = " + formatNumber(r.time_s) + ";\n";
+    if (r.normals != "map") {
+        std::string source = r.normals;
+        if (!source.empty() && source[0] >= 'a' && source[0] <= 'z') source[0] = char(source[0] - 'a' + 'A');
+        code += "settings.normals = ombrage::NormalSource::" + source + ";\n";
+    }
     code += fmt::format("settings.seed = {}u;\n", r.seed);
     std::string family = r.family;
     if (!family.empty() && family[0] >= 'a' && family[0] <= 'z') family[0] = char(family[0] - 'a' + 'A');

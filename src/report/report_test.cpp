@@ -275,8 +275,13 @@ TEST_F(ReportTest, AnotherMomentIsAnotherSection) {
     RunRecord later = sampleRecord("shadow/two");
     later.time_s = 1.5;
     add(later);
+    RunRecord bumpy = sampleRecord("shadow/three");
+    bumpy.normals = "bump";
+    add(bumpy);
     const std::string html = page();
     EXPECT_NE(html.find("gap: shadow, light lamp, at 1.5 s</h2>"), std::string::npos);
+    EXPECT_NE(html.find("gap: shadow, light lamp, normals of bump</h2>"), std::string::npos);
+    EXPECT_NE(settingsFor(bumpy).find("settings.normals = ombrage::NormalSource::Bump;"), std::string::npos);
     EXPECT_NE(html.find("gap: shadow, light lamp</h2>"), std::string::npos);
 }
 

@@ -139,18 +139,27 @@ float meanHeight(const Texture& heights) {
     return float(sum / (255.0 * double(heights.rgba.size() / 4)));
 }
 
-/// @throws Error(Usage) for more triangles than displaced() makes.
-void checkCount(double triangles, const std::string& sceneName) {
-    if (triangles <= double(kMostDisplacedTriangles)) return;
-    throw Error(ErrorCode::Usage,
-                "the height maps of '" + sceneName + "' are too fine to be made geometry: they take more than " +
-                    std::to_string(kMostDisplacedTriangles >> 20) + " million triangles",
-                "Use smaller height maps or repeat them less often.");
-}
+/// Counts against a limit. @throws Error(Usage) above it.
+class Budget {
+public:
+    Budget(const std::string& sceneName, std::size_t most) : m_sceneName(sceneName), m_most(most) {}
 
-void displace(Mesh& mesh, const Texture& heights, float scale_uv, const std::string& sceneName) {
+    void check(double triangles) const {
+        if (triangles <= double(m_most)) return;
+        throw Error(ErrorCode::Usage,
+                    "the height maps of '" + m_sceneName + "' are too fine to be made geometry: they take more than " +
+                        std::to_string(m_most) + " triangles",
+                    "Use smaller height maps or repeat them less often.");
+    }
+
+private:
+    const std::string& m_sceneName;
+    std::size_t m_most;
+};
+
+void displace(Mesh& mesh, const Texture& heights, float scale_uv, const Budget& budget) {
     Division division(mesh, sizeOf(heights));
-    while (division.halve()) checkCount(double(mesh.triangleCount()), sceneName);
+    while (division.halve()) budget.check(double(mesh.triangleCount()));
     const float mean = meanHeight(heights);
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         const float height = textureColor(heights, mesh.uvs[v]).r - mean;
@@ -164,7 +173,8 @@ void displace(Mesh& mesh, const Texture& heights, float scale_uv, const std::str
 
 }  // namespace
 
-Scene displaced(const Scene& scene) {
+Scene displaced(const Scene& scene, std::size_t mostTriangles) {
+    const Budget budget(scene.name, mostTriangles);
     Scene made = scene;
     const auto heightsOf = [&](const Mesh& mesh) -> const Texture* {
         const Material& material = scene.materials[std::size_t(mesh.material)];
@@ -178,10 +188,10 @@ Scene displaced(const Scene& scene) {
         const Texture* heights = heightsOf(mesh);
         triangles += heights ? 2 * triangleTexels(mesh, *heights) : double(mesh.triangleCount());
     }
-    checkCount(triangles, scene.name);
+    budget.check(triangles);
     for (Mesh& mesh : made.meshes)
         if (const Texture* heights = heightsOf(mesh))
-            displace(mesh, *heights, scene.materials[std::size_t(mesh.material)].heightScale_uv, scene.name);
+            displace(mesh, *heights, scene.materials[std::size_t(mesh.material)].heightScale_uv, budget);
     for (Material& material : made.materials)
         if (material.heightTexture >= 0) material.heightTexture = material.normalTexture = -1;
     return made;

@@ -24,25 +24,25 @@ TEST(AmbientRays, AWallHasItsClosedForm) {
     const CornerPicture picture(20);
     for (const char* pattern : kPatterns) {
         const std::vector<float> row =
-            picture.row(std::string("ao/ray-traced:samples=1024,radius=16,pattern=") + pattern);
-        // Random samples err by 1/2 / sqrt(1024) at most: 4 deviations. Stratified ones by less than a fifth of it.
-        const double tolerance = std::string(pattern) == "random" ? 4 * 0.5 / 32 : 0.012;
+            picture.row(std::string("ao/ray-traced:samples=256,radius=16,pattern=") + pattern);
+        // Random samples err by 1/2 / sqrt(256) at most: 4 deviations. Stratified ones by less than a fifth of it.
+        const double tolerance = std::string(pattern) == "random" ? 4 * 0.5 / 16 : 0.025;
         for (std::size_t i = 0; i < row.size(); ++i)
             EXPECT_NEAR(row[i], CornerPicture::nearWall(double(i) + 0.5, 16), tolerance) << pattern << " at " << i;
     }
 }
 
 TEST(AmbientRays, ReachTheTruthAndConvergeToIt) {
-    for (const char* scene : {"corner", "cornell", "nave", "bumpy"}) {
-        // 4096 samples are closer to the answer than 1024 of the same kind by a factor of 4^0.65 and more.
-        const AmbientMeasure measure(scene, "T1", 4096);
+    for (const char* scene : {"corner", "nave"}) {
+        // 2048 samples are closer to the answer than 256 of the same kind by a factor of 8^0.65 and more.
+        const AmbientMeasure measure(scene, "T1", 2048);
 
         // Least squares of log rmse over log samples.
         double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-        for (int samples = 4; samples <= 1024; samples *= 4) {
+        for (int samples = 4; samples <= 256; samples *= 4) {
             const Metrics metrics = measure.of("ao/ray-traced:samples=" + std::to_string(samples));
             const double rmse = *metrics.at("rmse");
-            if (samples == 1024) {
+            if (samples == 256) {
                 EXPECT_GE(*metrics.at("psnr"), 40.0) << scene;
             }
             const double x = std::log(double(samples)), y = std::log(rmse);
