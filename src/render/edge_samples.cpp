@@ -37,9 +37,9 @@ GBufferSamples makeSamples(const GBufferLayout& layout) {
     if (std::find(offered.begin(), offered.end(), count) == offered.end()) {
         std::vector<std::string> names;
         for (const int n : offered) names.insert(names.begin(), std::to_string(n));
-        throw Error(ErrorCode::Environment, fmt::format("this device does not draw surfaces with {} samples a pixel", count),
-                    names.empty() ? "it has no multisampled surfaces at all"
-                                  : fmt::format("it offers {}", join(names, ", ")));
+        throw Error(
+            ErrorCode::Environment, fmt::format("this device does not draw surfaces with {} samples a pixel", count),
+            names.empty() ? "it has no multisampled surfaces at all" : fmt::format("it offers {}", join(names, ", ")));
     }
     const auto plane = [&](GLenum format, const char* label) {
         return gl::Texture({.kind = gl::TextureKind::Multisample2D,

@@ -3,14 +3,15 @@
 // occlusion, indirect light.
 #include "ombrage/frame.glsl"
 #include "ombrage/edge_samples.glsl"
+#include "ombrage/instances.glsl"
 
 noperspective in vec2 v_uv;
 noperspective in vec3 v_rayStart;
 noperspective in vec3 v_rayAlong;
 layout(location = 0) out uint o_edges;
 
-// Samples of other triangles are one surface with the pixel's where lighting could not tell them apart: less than this between
-// the normals of their triangles and those they are shaded with, 1/64 in the roots of their colours, and a pixel in depth.
+// Other triangles of one instance are one surface where lighting could hardly tell them apart: less than this between the normals of
+// the triangles, between those they are shaded with, in the roots of their colours, and a pixel in depth.
 const float kLikeFacets = 0.966;    // 15 degrees: facets of a finely tessellated ball
 const float kLikeNormals = 0.9994;  // 2 degrees
 const float kLikeColors = 1.0 / 64.0;
@@ -26,7 +27,7 @@ float stepBetween(vec3 p_world, uvec4 pixel, vec3 p_pixel, float depth) {
 
 bool isAlike(uvec4 surface, uint material, vec3 p_world, float depth, uvec4 pixel, uint pixelMaterial, vec3 p_pixel) {
     vec3 colors = abs(rootsOf(surface.z) - rootsOf(pixel.z));
-    return material == pixelMaterial && max(colors.r, max(colors.g, colors.b)) < kLikeColors &&
+    return b_triangles[surface.w] == b_triangles[pixel.w] && material == pixelMaterial && max(colors.r, max(colors.g, colors.b)) < kLikeColors &&
            dot(geometricNormalOf(surface), geometricNormalOf(pixel)) > kLikeFacets &&
            dot(shadingNormalOf(surface), shadingNormalOf(pixel)) > kLikeNormals && stepBetween(p_world, pixel, p_pixel, depth) < 1.0;
 }

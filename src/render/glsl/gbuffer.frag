@@ -22,7 +22,6 @@ INSIDE in vec4 v_tangent;
 #endif
 #ifdef UV
 INSIDE in vec2 v_uv;
-vec2 uv;   // what the textures are read at
 #endif
 #ifdef VERTEX_COLORS
 INSIDE in vec3 v_color;
@@ -41,7 +40,7 @@ layout(location = 1) out uint o_material;
 #ifdef HEIGHT_MAP
 // Blinn 1978: N' = N + (h_u (N x P_v) - h_v (N x P_u)) / |N|, with P_u, P_v of the unit tangent frame and forward differences of
 // one texel; heights are in units of uv, so both differences are slopes. b points to smaller v: P_v = -b.
-vec3 bumpNormal(vec3 n, vec3 t, vec3 b, float heightScale_uv) {
+vec3 bumpNormal(vec3 n, vec3 t, vec3 b, float heightScale_uv, vec2 uv) {
     vec2 texel = 1.0 / vec2(textureSize(t_height, 0));
     float h = texture(t_height, uv).r;
     float slopeU = (texture(t_height, uv + vec2(texel.x, 0.0)).r - h) * heightScale_uv / texel.x;
@@ -51,7 +50,7 @@ vec3 bumpNormal(vec3 n, vec3 t, vec3 b, float heightScale_uv) {
 #endif
 
 #if defined(NORMAL_MAP) || defined(HEIGHT_MAP)
-vec3 perturbed(vec3 n_s, MaterialData m) {
+vec3 perturbed(vec3 n_s, MaterialData m, vec2 uv) {
     // A frame about the front's normal; degenerate tangents leave the normal alone.
     n_s = normalize(n_s);
     vec3 t = v_tangent.xyz - n_s * dot(n_s, v_tangent.xyz);
@@ -63,14 +62,14 @@ vec3 perturbed(vec3 n_s, MaterialData m) {
     mapped.xy *= m.surface.z;
     return normalize(mapped.x * t + mapped.y * b + mapped.z * n_s);
 #else
-    return bumpNormal(n_s, t, b, m.surface.w);
+    return bumpNormal(n_s, t, b, m.surface.w, uv);
 #endif
 }
 #endif
 
 void main() {
 #ifdef UV
-    uv = v_uv;
+    vec2 uv = v_uv;   // what the textures are read at
 #endif
 #ifdef ALPHA_SAMPLES
     // Coverage is what the texture leaves at each sample; the surface is read in the middle of it.
@@ -103,7 +102,7 @@ void main() {
     vec3 n_s = v_normal;
     bool turned = dot(n_s, vectorFromOctahedral(o_g)) < 0.0;
 #if defined(NORMAL_MAP) || defined(HEIGHT_MAP)
-    n_s = perturbed(n_s, b_materials[v_surface.w]);
+    n_s = perturbed(n_s, b_materials[v_surface.w], uv);
 #endif
     if (turned) n_s = -n_s;
 

@@ -17,6 +17,10 @@ float depthFromViewDepth(float distance_m) {
     return frameProjection.x / distance_m;
 }
 
+// A depth that no other drawing of the surface at the centre exceeds, however it rounds: shadow volumes must not lie before the surface
+// that they begin at. `change` is that over half a pixel or more; a 1000th of a pixel's way over the surface is no more than that.
+float beforeRounding(float depth, float change) { return min(depth + depth * 4.8e-7 + change * 0.001, 1.0); }
+
 // Where the plane of a sample's triangle meets the ray through the pixel's centre.
 float depthAtCentre(uvec4 surface, float depth, vec2 offset_px) {
     vec3 n_g = geometricDirectionOf(surface);
@@ -25,19 +29,22 @@ float depthAtCentre(uvec4 surface, float depth, vec2 offset_px) {
     float atCentre_m = dot(n_g, p_world - v_rayStart) / dot(n_g, v_rayAlong);
     // A surface seen so nearly from its edge that half a pixel halves or doubles the distance stays where it was met.
     bool isNear = atCentre_m > 0.5 * distance_m && atCentre_m < 2.0 * distance_m;
-    return isNear ? min(depthFromViewDepth(atCentre_m), 1.0) : depth;
+    float atCentre = isNear ? depthFromViewDepth(atCentre_m) : depth;
+    return beforeRounding(atCentre, abs(atCentre - depth));
 }
 
 void main() {
     ivec2 px = ivec2(v_uv * frameViewport.xy);
     float depths[PIXEL_SAMPLES];
     uvec4 surfaces[PIXEL_SAMPLES];
-    float sum = 0.0;
+    float sum = 0.0, largest = 0.0, smallest = 1.0;
     bool same = true;
     for (int s = 0; s < PIXEL_SAMPLES; ++s) {
         depths[s] = sampleDepth(px, s);
         surfaces[s] = sampleSurface(px, s);
         sum += depths[s];
+        largest = max(largest, depths[s]);
+        smallest = min(smallest, depths[s]);
         same = same && depths[s] > 0.0 && surfaces[s].w == surfaces[0].w;
     }
     // The surface of the most samples, of equals the nearer one; the sky only where there is nothing else.
@@ -59,7 +66,7 @@ void main() {
 #ifdef BALANCED_SAMPLES
     // Depth is linear over the picture: the mean of one triangle's samples is its centre's.
     if (same) {
-        gl_FragDepth = sum / float(PIXEL_SAMPLES);
+        gl_FragDepth = beforeRounding(sum / float(PIXEL_SAMPLES), largest - smallest);
         return;
     }
 #endif

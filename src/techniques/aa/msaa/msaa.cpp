@@ -37,9 +37,7 @@ struct MsaaParams {
 
 class Msaa final : public AaTechniqueOf<MsaaParams> {
 public:
-    GeometrySamples geometrySamples() const override {
-        return {p().samples, p().samples > 1 && p().alphaToCoverage};
-    }
+    GeometrySamples geometrySamples() const override { return {p().samples, p().samples > 1 && p().alphaToCoverage}; }
 
     void render(FrameContext& frame, const gl::Texture& input, const gl::Texture& output) override {
         if (!frame.edgeColors) {
@@ -91,8 +89,9 @@ private:
 OMBRAGE_TECHNIQUE(
     aa, msaa, Msaa,
     {.title = "Multisampling",
-     .summary = "Surfaces are drawn once into several samples a pixel; pixels whose samples show several surfaces are lit "
-                "surface by surface, all others once.",
+     .summary =
+         "Surfaces are drawn once into several samples a pixel; pixels whose samples show several surfaces are lit "
+         "surface by surface, all others once.",
      .papers = {"akeley1993realityengine"},
      .limits = "Smooths the outlines of surfaces alone: edges of shadows, highlights and textures stay stepped.",
      .passes = {{"msaa-edges", "share of each pixel's samples that show another surface than its first"}}})
