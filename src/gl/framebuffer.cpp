@@ -155,4 +155,17 @@ void Framebuffer::clearStencil(int stencil) const {
     glClearNamedFramebufferiv(m_id, GL_STENCIL, 0, &stencil);
 }
 
+std::vector<glm::vec2> Framebuffer::samplePositions() const {
+    bind();
+    GLint samples = 0;
+    glGetIntegerv(GL_SAMPLES, &samples);
+    if (samples == 0) return {glm::vec2(0.0f)};
+    std::vector<glm::vec2> positions(std::size_t(samples), glm::vec2(0.0f));
+    for (int i = 0; i < samples; ++i) {
+        glGetMultisamplefv(GL_SAMPLE_POSITION, GLuint(i), &positions[std::size_t(i)][0]);
+        positions[std::size_t(i)] -= 0.5f;
+    }
+    return positions;
+}
+
 }  // namespace ombrage::gl

@@ -62,6 +62,10 @@ struct TextureDesc {
 /// Mip levels: `levels`, or those of the full chain when it is 0.
 int levelCount(const TextureDesc& desc);
 
+/// How many samples a texel of a multisampled texture of the format may have, in falling order. A texture made with a
+/// number between gets the next higher one.
+std::vector<int> sampleCounts(GLenum format);
+
 /// Bytes that the texture takes, all levels, layers and samples. The format is one that Ombrage uses (asserted).
 std::uint64_t byteSize(const TextureDesc& desc);
 
@@ -136,6 +140,10 @@ public:
     void clearColorUint(int attachment, const glm::uvec4& value) const;
     void clearDepth(float depth) const;
     void clearStencil(int stencil) const;
+
+    /// Where the samples of a pixel lie, in pixels from its centre, right and up; one at the centre without multisampling.
+    /// Binds it for drawing.
+    std::vector<glm::vec2> samplePositions() const;
 
 private:
     GLuint m_id = 0;

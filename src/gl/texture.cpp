@@ -53,6 +53,14 @@ int levelCount(const TextureDesc& desc) {
     return int(std::bit_width(unsigned(std::max(desc.width, desc.height))));
 }
 
+std::vector<int> sampleCounts(GLenum format) {
+    GLint count = 0;
+    glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_NUM_SAMPLE_COUNTS, 1, &count);
+    std::vector<int> counts(std::size_t(count), 0);
+    if (count > 0) glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, format, GL_SAMPLES, count, counts.data());
+    return counts;
+}
+
 std::uint64_t byteSize(const TextureDesc& desc) {
     assert(texelSize(desc.format) > 0);
     std::uint64_t texels = 0;

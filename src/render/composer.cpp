@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "render/edge_samples.h"
+
 namespace ombrage {
 
 namespace {
@@ -19,6 +21,17 @@ constexpr unsigned kUnitAo = 3, kUnitIndirect = 4, kUnitVisibility = kFirstFreeU
 
 /// What stands behind the lookup's include where lighting looks nothing up.
 const std::pair<std::string, std::string> kNoLookup{kShadowLookupPath, ""};
+
+bool isNaive(const RenderSettings& settings, const std::vector<LitLight>& lights) {
+    return settings.composite != Composite::Lighting && !lights.empty();
+}
+
+/// Each layer as a target of its own.
+std::vector<gl::Attachment> layersOf(const gl::Texture& texture) {
+    std::vector<gl::Attachment> layers;
+    for (int i = 0; i < texture.desc().layers; ++i) layers.push_back({&texture, 0, i});
+    return layers;
+}
 
 }  // namespace
 
@@ -40,63 +53,85 @@ void Composer::bindLight(const LightFrame& frame, std::size_t instanceCount) {
     m_lightBlock.bindUniform(kLightBinding);
 }
 
-TargetPool::Target Composer::compose(FrameContext& frame, const RenderSettings& settings,
-                                     const std::vector<LitLight>& lights, const TargetPool::Target& ao,
-                                     const TargetPool::Target& indirect) {
-    const bool naive = settings.composite != Composite::Lighting && !lights.empty();
-    auto color = frame.targets->take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "color");
+void Composer::light(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
+                     const TargetPool::Target& ao, const TargetPool::Target& indirect, bool ofSamples) {
+    const bool naive = isNaive(settings, lights);
+    frame.gpuScene->bindStorage();
+    frame.bindGBuffer();
+    if (ofSamples) bindSamples(*frame.gbuffer);
+    if (ao) ao->bind(kUnitAo);
+    if (indirect) indirect->bind(kUnitIndirect);
+    // The first light is drawn together with all that no light owns; later ones are added.
+    const std::size_t passes = std::max<std::size_t>(lights.size(), 1);
+    for (std::size_t i = 0; i < passes; ++i) {
+        std::vector<std::pair<std::string, std::string>> defines = {{"SHADING", std::to_string(int(settings.shading))}};
+        if (ofSamples) {
+            const auto samples = sampleDefines(*frame.gbuffer);
+            defines.insert(defines.end(), samples.begin(), samples.end());
+        }
+        const auto define = [&](const char* name, bool wanted) {
+            if (wanted) defines.emplace_back(name, "1");
+        };
+        define("MATERIAL_PLANE", frame.gbuffer->layout.material);
+        define("EXCEPTIONS", frame.gpuScene->hasLightExceptions());
+        define("FIRST_LIGHT", i == 0);
+        define("EMISSION", i == 0 && frame.gpuScene->hasEmission());
+        define("AMBIENT", i == 0 && settings.ambient != AmbientTerm::Off);
+        define("OCCLUSION", i == 0 && settings.ambient == AmbientTerm::Ao && ao);
+        define("INDIRECT", i == 0 && indirect);
+        const LitLight* lit = lights.empty() ? nullptr : &lights[i];
+        if (lit) {
+            bindLight(lit->light, frame.gpuScene->flat().instances.size());
+            defines.emplace_back("LIGHT_TYPE", std::to_string(int(lit->light.light->type)));
+            define("VISIBILITY", lit->visibility && !naive);
+            define("COLORED", lit->colored && !naive);
+            if (lit->visibility) (lit->colored ? lit->colored : lit->visibility)->bind(kUnitVisibility);
+        }
+        const std::vector<gl::ShaderStage> stages = {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
+                                                     {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}};
+        if (lit && lit->lookup) {
+            define("LOOKUP", true);
+            defines.insert(defines.end(), lit->lookup->defines.begin(), lit->lookup->defines.end());
+            const gl::Program& program =
+                frame.program(*lit->technique, stages, std::move(defines), includeOf(*lit->lookup));
+            lit->lookup->bind(program);
+        } else {
+            frame.program(stages, std::move(defines), {kNoLookup});
+        }
+        frame.drawSurfaces(i > 0);
+    }
+}
+
+Composed Composer::compose(FrameContext& frame, const RenderSettings& settings, const std::vector<LitLight>& lights,
+                           const TargetPool::Target& ao, const TargetPool::Target& indirect) {
+    Composed made;
+    made.color = frame.targets->take({.format = GL_RGBA16F, .width = frame.width, .height = frame.height}, "color");
     {
         const bool looksUp = !lights.empty() && lights.front().lookup;
         const auto pass = frame.pass(looksUp ? "lighting with " + lights.front().technique->entry().id() : "lighting");
-        const gl::Framebuffer target({{color.get()}}, {&frame.gbuffer->depth}, "lighting");
+        const gl::Framebuffer target({{made.color.get()}}, {&frame.gbuffer->depth}, "lighting");
         target.bind();
         // The sky shows the surroundings' own radiance, as in the truth's picture.
         target.clearColor(0, glm::vec4(glm::vec3(frame.scene->ambient), 1.0f));
-        frame.gpuScene->bindStorage();
-        frame.bindGBuffer();
-        if (ao) ao->bind(kUnitAo);
-        if (indirect) indirect->bind(kUnitIndirect);
-        // The first light is drawn together with all that no light owns; later ones are added.
-        const std::size_t passes = std::max<std::size_t>(lights.size(), 1);
-        for (std::size_t i = 0; i < passes; ++i) {
-            std::vector<std::pair<std::string, std::string>> defines = {{"SHADING", std::to_string(int(settings.shading))}};
-            const auto define = [&](const char* name, bool wanted) {
-                if (wanted) defines.emplace_back(name, "1");
-            };
-            define("MATERIAL_PLANE", frame.gbuffer->layout.material);
-            define("EXCEPTIONS", frame.gpuScene->hasLightExceptions());
-            define("FIRST_LIGHT", i == 0);
-            define("EMISSION", i == 0 && frame.gpuScene->hasEmission());
-            define("AMBIENT", i == 0 && settings.ambient != AmbientTerm::Off);
-            define("OCCLUSION", i == 0 && settings.ambient == AmbientTerm::Ao && ao);
-            define("INDIRECT", i == 0 && indirect);
-            const LitLight* lit = lights.empty() ? nullptr : &lights[i];
-            if (lit) {
-                bindLight(lit->light, frame.gpuScene->flat().instances.size());
-                defines.emplace_back("LIGHT_TYPE", std::to_string(int(lit->light.light->type)));
-                define("VISIBILITY", lit->visibility && !naive);
-                define("COLORED", lit->colored && !naive);
-                if (lit->visibility) (lit->colored ? lit->colored : lit->visibility)->bind(kUnitVisibility);
-            }
-            const std::vector<gl::ShaderStage> stages = {{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"},
-                                                         {GL_FRAGMENT_SHADER, "ombrage/lighting.frag"}};
-            if (lit && lit->lookup) {
-                define("LOOKUP", true);
-                defines.insert(defines.end(), lit->lookup->defines.begin(), lit->lookup->defines.end());
-                const gl::Program& program =
-                    frame.program(*lit->technique, stages, std::move(defines), includeOf(*lit->lookup));
-                lit->lookup->bind(program);
-            } else {
-                frame.program(stages, std::move(defines), {kNoLookup});
-            }
-            frame.drawSurfaces(i > 0);
-        }
+        light(frame, settings, lights, ao, indirect, false);
     }
-    return naive ? applyNaively(frame, settings, lights, color) : color;
+    if (frame.gbuffer->samples) {
+        made.edgeColors = frame.targets->take({.kind = gl::TextureKind::Array2D,
+                                               .format = GL_RGBA16F,
+                                               .width = frame.width,
+                                               .height = frame.height,
+                                               .layers = frame.gbuffer->layout.samples.count},
+                                              "edge colors");
+        const auto pass = frame.pass("lighting of edges");
+        const gl::Framebuffer target(layersOf(*made.edgeColors), {&frame.gbuffer->depth}, "lighting of edges");
+        target.bind();
+        light(frame, settings, lights, ao, indirect, true);
+    }
+    return isNaive(settings, lights) ? applyNaively(frame, settings, lights, made) : made;
 }
 
-TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSettings& settings,
-                                          const std::vector<LitLight>& lights, const TargetPool::Target& unshadowed) {
+Composed Composer::applyNaively(FrameContext& frame, const RenderSettings& settings,
+                                const std::vector<LitLight>& lights, const Composed& unshadowed) {
     const auto pass = frame.pass("naive composite");
     const bool isColored =
         std::any_of(lights.begin(), lights.end(), [](const LitLight& light) { return light.colored != nullptr; });
@@ -128,17 +163,30 @@ TargetPool::Target Composer::applyNaively(FrameContext& frame, const RenderSetti
             frame.drawFullscreen();
         }
     }
-    auto color = frame.targets->take(unshadowed->desc(), "color");
-    const gl::Framebuffer target({{color.get()}}, {}, "naive composite");
+    Composed made{frame.targets->take(unshadowed.color->desc(), "color"), unshadowed.edgeColors};
+    const gl::Framebuffer target({{made.color.get()}}, {}, "naive composite");
     target.bind();
     gl::apply({});
     std::vector<std::pair<std::string, std::string>> defines{{"COMPOSITE", mode}};
     if (isColored) defines.emplace_back("COLORED", "1");
-    frame.program(stages, std::move(defines));
-    unshadowed->bind(6);
+    frame.program(stages, defines);
+    unshadowed.color->bind(6);
     factor->bind(7);
     frame.drawFullscreen();
-    return color;
+    if (!made.edgeColors) return made;
+    const gl::Framebuffer edges(layersOf(*made.edgeColors), {}, "naive composite of edges");
+    edges.bind();
+    gl::DrawState multiply;
+    multiply.blend = true;
+    multiply.blendSource = GL_ZERO;
+    multiply.blendDestination = GL_SRC_COLOR;
+    gl::apply(multiply);
+    const auto samples = sampleDefines(*frame.gbuffer);
+    defines.insert(defines.end(), samples.begin(), samples.end());
+    frame.program(stages, std::move(defines));
+    bindSamples(*frame.gbuffer);
+    frame.drawFullscreen();
+    return made;
 }
 
 }  // namespace ombrage

@@ -14,6 +14,7 @@
 #include "gl/gpu_timer.h"
 #include "gl/objects.h"
 #include "gl/shader_library.h"
+#include "render/geometry_samples.h"
 #include "render/gpu_scene.h"
 #include "render/target_pool.h"
 #include "scene/camera_view.h"
@@ -25,9 +26,20 @@ class Technique;
 /// What a G-buffer is made for.
 struct GBufferLayout {
     int width = 0, height = 0;
+    GeometrySamples samples;
     bool stencil = false;    ///< a technique counts in the depth's stencil plane
     bool material = false;   ///< lighting, or a view, wants more of the material than its colour
     bool operator==(const GBufferLayout&) const = default;
+};
+
+/// The samples that a multisampled G-buffer is made of.
+struct GBufferSamples {
+    std::vector<glm::vec2> positions;    ///< in pixels from the pixel's centre, right and up
+    gl::Texture depth, surface, material;  ///< as those of the pixels
+    gl::Framebuffer framebuffer;
+    /// R32UI, one texel per pixel: 0 where all samples show one surface; else four bits for each sample: from which pixel of
+    /// the 3x3 around it the sample takes what is known of pixels alone (ombrage/edge_samples.glsl).
+    gl::Texture edges;
 };
 
 /// The picture's geometry, one texel per pixel. Depth 0 is the sky.
@@ -37,6 +49,7 @@ struct GBuffer {
     gl::Texture surface;    ///< RGBA32UI, words as in ombrage/surface.glsl: n_g and n_s towards the eye, albedo, triangle
     gl::Texture material;   ///< R32UI: metallic, roughness, specular luminance, shininess/255; empty where nothing asks for it
     gl::Framebuffer framebuffer;
+    std::optional<GBufferSamples> samples;  ///< with more than one sample in a pixel: what the planes above are made of
 };
 
 /// A light in the space moved by the scene's origin.
@@ -75,6 +88,9 @@ public:
     std::uint32_t sample = 0;      ///< which of the points it is that `view` is drawn for
     bool isLastSample = true;
     glm::vec2 jitter_px{0.0f};     ///< that point
+    /// Of a multisampled G-buffer, for the anti-aliasing technique: RGBA16F, one layer a sample, linear; only pixels with a
+    /// bit in GBufferSamples::edges are written.
+    const gl::Texture* edgeColors = nullptr;
     std::uint32_t seed = 1;
     std::uint32_t frameIndex = 0;
     NormalSource normals = NormalSource::Map;

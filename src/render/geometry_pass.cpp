@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "render/geometry_pass.h"
 
+#include "render/edge_samples.h"
+
 namespace ombrage {
 
 namespace {
@@ -29,6 +31,11 @@ std::vector<std::pair<std::string, std::string>> definesOf(const DrawBatch& batc
     if (frontOnly) define("FRONT_ONLY");
     if (frame.gpuScene->hasVertexColors()) define("VERTEX_COLORS");
     if (frame.gbuffer->layout.material) define("MATERIAL_PLANE");
+    if (frame.gbuffer->samples) {
+        const auto samples = sampleDefines(*frame.gbuffer);
+        defines.insert(defines.end(), samples.begin(), samples.end());
+        if (masked && frame.gbuffer->layout.samples.alphaTest) define("ALPHA_SAMPLES");
+    }
     return defines;
 }
 
@@ -48,6 +55,7 @@ std::unique_ptr<GBuffer> GeometryPass::makeGBuffer(const GBufferLayout& layout) 
         colors.push_back({&g->material});
     }
     g->framebuffer = gl::Framebuffer(colors, {&g->depth}, "g-buffer");
+    if (layout.samples.count > 1) g->samples = makeSamples(layout);
     return g;
 }
 
@@ -70,13 +78,18 @@ void GeometryPass::uploadFrameBlock(const FrameContext& frame) {
 }
 
 void GeometryPass::draw(FrameContext& frame) const {
+    const GBuffer& gbuffer = *frame.gbuffer;
+    drawInstances(frame, gbuffer.samples ? gbuffer.samples->framebuffer : gbuffer.framebuffer);
+    if (gbuffer.samples) makePixels(frame);
+}
+
+void GeometryPass::drawInstances(FrameContext& frame, const gl::Framebuffer& target) const {
     const auto pass = frame.pass("g-buffer");
-    const gl::Framebuffer& target = frame.gbuffer->framebuffer;
     target.bind();
     gl::DrawState state;
     state.depthTest = state.depthWrite = true;
     target.clearDepth(0.0f);
-    if (frame.gbuffer->layout.stencil) target.clearStencil(0);
+    if (frame.gbuffer->layout.stencil) frame.gbuffer->framebuffer.clearStencil(0);
 
     frame.gpuScene->bindStorage();
     // Back faces of solids are behind their front faces, but where the near plane cuts them open: an orthographic one
@@ -104,7 +117,7 @@ void GeometryPass::draw(FrameContext& frame) const {
 
 std::uint64_t byteSize(const GBuffer& g) {
     return gl::byteSize(g.depth.desc()) + gl::byteSize(g.surface.desc()) +
-           (g.material ? gl::byteSize(g.material.desc()) : 0);
+           (g.material ? gl::byteSize(g.material.desc()) : 0) + (g.samples ? byteSize(*g.samples) : 0);
 }
 
 }  // namespace ombrage

@@ -23,7 +23,7 @@ bool isNeutral(const Pipeline& pipeline) {
 }
 
 void Renderer::Impl::prepareFrame(FrameContext& frame, const RenderSettings& settings, const RenderRequest& request) {
-    const GBufferLayout layout{settings.width, settings.height, request.needsStencil,
+    const GBufferLayout layout{settings.width, settings.height, request.samples, request.needsStencil,
                                request.needsMaterial || gpuScene->hasSpecular()};
     if (!gbuffer || gbuffer->layout != layout) {
         gbuffer = GeometryPass::makeGBuffer(layout);
@@ -89,7 +89,8 @@ LitLight Renderer::Impl::renderShadow(FrameContext& frame, const RenderSettings&
         shadowed.largestBytes = std::max(shadowed.largestBytes, after);
     };
     // Lighting looks up later, when a shared place holds another light's.
-    if (!isGiven && isOwn && mayLookUp(settings)) {
+    // Samples of a pixel that show several surfaces take their visibility from pixels around.
+    if (!isGiven && isOwn && !gbuffer->samples && mayLookUp(settings)) {
         composer.bindLight(light, gpuScene->flat().instances.size());
         auto& technique = static_cast<ShadowLookupTechnique&>(*slots.get(place, settings.shadow, frame).front());
         const ShadowLookup lookup = technique.lookup(frame, light);
@@ -209,7 +210,9 @@ FrameTargets Renderer::Impl::renderSample(FrameContext& frame, const RenderSetti
             static_cast<IndirectTechnique&>(*technique).render(frame, *produced.indirect);
     }
 
-    produced.color = composer.compose(frame, settings, lights, produced.ao, produced.indirect);
+    const Composed composed = composer.compose(frame, settings, lights, produced.ao, produced.indirect);
+    produced.color = composed.color;
+    frame.edgeColors = composed.edgeColors.get();
     if (isNeutral(settings.aa)) return produced;
     const auto& techniques = slots.get("aa", settings.aa, frame);
     for (const auto& technique : techniques) {
@@ -219,6 +222,7 @@ FrameTargets Renderer::Impl::renderSample(FrameContext& frame, const RenderSetti
         static_cast<AaTechnique&>(*technique).render(frame, *produced.color, *output);
         produced.color = output;
     }
+    frame.edgeColors = nullptr;
     return produced;
 }
 

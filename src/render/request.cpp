@@ -39,6 +39,21 @@ void checkPipeline(const Pipeline& pipeline, Family family) {
     }
 }
 
+/// What the first anti-aliasing technique asks of the G-buffer; none after it may ask.
+GeometrySamples samplesOf(const Pipeline& pipeline) {
+    GeometrySamples samples;
+    for (std::size_t i = 0; i < pipeline.size(); ++i) {
+        const auto technique = createTechnique(pipeline[i]);
+        const GeometrySamples asked = static_cast<const AaTechnique&>(*technique).geometrySamples();
+        if (i == 0)
+            samples = asked;
+        else if (asked != GeometrySamples{})
+            throw Error(ErrorCode::Usage, fmt::format("{} takes samples of its own", pipeline[i].id),
+                        "put it first in the pipeline");
+    }
+    return samples;
+}
+
 /// What the scene says of techniques, and what it holds that they do not see.
 void warnOfScene(const Scene& scene, const RenderSettings& settings, RenderRequest& request) {
     std::vector<std::string> ids;
@@ -138,6 +153,7 @@ RenderRequest checkRequest(const Scene& scene, const RenderSettings& settings) {
                                 kMostVisibilityBytes >> 20),
                     "make the picture smaller or choose one light");
 
+    request.samples = samplesOf(settings.aa);
     request.needsMaterial = settings.shading == Shading::Pbr ||
                             std::any_of(settings.show.begin(), settings.show.end(),
                                         [](const std::string& name) { return name == "material" || name == "all"; });

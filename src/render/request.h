@@ -6,6 +6,8 @@
 
 #include <ombrage/renderer.h>
 
+#include "render/geometry_samples.h"
+
 namespace ombrage {
 
 /// Settings that were checked against a scene.
@@ -14,6 +16,7 @@ struct RenderRequest {
     std::vector<int> lights;
     bool needsStencil = false;
     bool needsMaterial = false;         ///< of the G-buffer
+    GeometrySamples samples;            ///< likewise
     std::vector<std::string> places;    ///< of TechniqueSlots
     std::vector<std::string> warnings;
 };

@@ -16,6 +16,7 @@
 #include "core/param_table.h"
 #include "gl/objects.h"
 #include "gl/shader_library.h"
+#include "render/geometry_samples.h"
 #include "render/target_pool.h"
 
 namespace ombrage {
@@ -125,6 +126,11 @@ public:
     /// draws the frame for each of them, in order, and calls render() after each; the last call's output is the frame's
     /// picture. Asked once a frame, before anything of it is drawn.
     virtual std::vector<glm::vec2> samplePoints(const FrameContext&) { return {glm::vec2(0.0f)}; }
+
+    /// How often the geometry of each pixel is sampled in one drawing. With more than one sample the composed picture shows
+    /// one surface a pixel, and FrameContext::edgeColors every sample of the pixels that show several. Asked before
+    /// prepare().
+    virtual GeometrySamples geometrySamples() const { return {}; }
 
     virtual void render(FrameContext& frame, const gl::Texture& input, const gl::Texture& output) = 0;
 };

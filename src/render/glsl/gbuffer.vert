@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Defines as in gbuffer.frag.
+#ifdef PIXEL_SAMPLES
+#define INSIDE centroid
+#else
+#define INSIDE
+#endif
 #include "ombrage/vertex.glsl"
 
 #include "ombrage/octahedral.glsl"
@@ -10,18 +15,18 @@ layout(location = 12) in vec3 a_facetNormal;
 layout(location = 13) in uint a_triangle;
 #if defined(NORMAL_MAP) || defined(HEIGHT_MAP)
 layout(location = 2) in vec4 a_tangent;
-out vec4 v_tangent;
+INSIDE out vec4 v_tangent;
 #endif
 #ifdef UV
 layout(location = 3) in vec2 a_uv;
-out vec2 v_uv;
+INSIDE out vec2 v_uv;
 #endif
 #ifdef VERTEX_COLORS
 layout(location = 11) in vec4 a_color;
-out vec3 v_color;
+INSIDE out vec3 v_color;
 #endif
 
-out vec3 v_normal;
+INSIDE out vec3 v_normal;
 flat out uvec4 v_surface;   // packed albedo, octahedral normal of the counter-clockwise side, triangle, material
 #ifdef MATERIAL_PLANE
 flat out uint v_material;   // packed

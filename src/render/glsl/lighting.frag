@@ -2,9 +2,14 @@
 // Composes one light (LIGHT_TYPE; none without it) over the surfaces; the sky stays as it is.
 // FIRST_LIGHT's pass adds what no light owns: EMISSION of some material, AMBIENT light, dimmed by OCCLUSION, and INDIRECT light.
 // VISIBILITY: the light is shadowed by an image (COLORED: of three colours), LOOKUP: by what stands behind "ombrage/shadow_lookup". EXCEPTIONS: some instances exclude a light or receive no shadow.
+// PIXEL_SAMPLES: over the pixels that show several surfaces (ombrage/edge_samples.glsl), each of their samples into a target of its own.
 // MATERIAL_PLANE: the surfaces reflect more than diffusely, by SHADING: 0 Phong, 1 Blinn-Phong, 2 metallic-roughness.
 #include "ombrage/frame.glsl"
+#ifdef PIXEL_SAMPLES
+#include "ombrage/edge_samples.glsl"
+#else
 #include "ombrage/gbuffer.glsl"
+#endif
 #include "ombrage/instances.glsl"
 #include "ombrage/light.glsl"
 #include "ombrage/shadow_lookup"
@@ -18,7 +23,14 @@ layout(binding = 4) uniform sampler2D t_indirect;
 noperspective in vec2 v_uv;
 noperspective in vec3 v_rayStart;
 noperspective in vec3 v_rayAlong;
+#ifdef PIXEL_SAMPLES
+layout(location = 0) out vec4 o_samples[PIXEL_SAMPLES];
+const uint kSky = 0xffffffffu;
+#define MATERIAL_OF(px, s) unpackUnorm4x8(sampleMaterial(px, s))
+#else
+#define MATERIAL_OF(px, s) gbufferMaterial(px)
 layout(location = 0) out vec4 o_color;
+#endif
 
 const float kPi = 3.14159265358979;
 
@@ -34,9 +46,9 @@ vec3 metallicRoughness(vec3 albedo, float metallic, float roughness, float nl, f
     return (1.0 - fresnel) * (1.0 - metallic) * albedo / kPi + fresnel * distribution * visibilityTerm;
 }
 
-void main() {
-    ivec2 px = ivec2(v_uv * frameViewport.xy);
-    uvec4 surface = gbufferSurfaceAt(v_uv);
+// What a surface shows of the light, and of what no light owns. It is that of the pixel `own`, of its sample s; visibility, occlusion
+// and indirect light are read at `px`.
+vec3 shaded(uvec4 surface, vec3 p_world, ivec2 own, int s, ivec2 px) {
     vec3 albedo = unpackedAlbedo(surface.z);
     vec3 color = vec3(0.0);
 #if defined(EMISSION) || defined(EXCEPTIONS)
@@ -57,7 +69,6 @@ void main() {
 #endif
 
 #ifdef LIGHT_TYPE
-    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepthAt(v_uv));
     float distance_m;
     vec3 l = directionToLight(p_world, distance_m);
     vec3 n_s = shadingNormalOf(surface);
@@ -85,7 +96,7 @@ void main() {
         vec3 irradiance = irradianceFacing(l, distance_m) * (nl * seen);
         vec3 diffuse = albedo * (1.0 / kPi);
 #ifdef MATERIAL_PLANE
-        vec4 material = gbufferMaterial(px);
+        vec4 material = MATERIAL_OF(own, s);
         vec3 v = directionToEye(p_world);
         vec3 h = normalize(l + v);
         float shininess = material.w * 255.0;
@@ -107,5 +118,46 @@ void main() {
 #endif
     }
 #endif
-    o_color = vec4(color, 1.0);
+    return color;
 }
+
+#ifdef PIXEL_SAMPLES
+void main() {
+    ivec2 px = ivec2(v_uv * frameViewport.xy);
+    uint bits = edgeBits(px);
+    if (bits == 0u) discard;
+    uint triangles[PIXEL_SAMPLES];
+    vec3 colors[PIXEL_SAMPLES];
+    for (int s = 0; s < PIXEL_SAMPLES; ++s) {
+        float depth = sampleDepth(px, s);
+        uvec4 surface = sampleSurface(px, s);
+        triangles[s] = depth > 0.0 ? surface.w : kSky;
+        // Samples of one triangle have one surface: it is lit once.
+        int first = 0;
+        while (triangles[first] != triangles[s]) ++first;
+        if (first < s) {
+            colors[s] = colors[first];
+        } else if (depth == 0.0) {
+#ifdef FIRST_LIGHT
+            colors[s] = vec3(frameForward.w);
+#else
+            colors[s] = vec3(0.0);
+#endif
+        } else {
+            vec3 p_world = positionOn(rayBeside(v_rayStart, v_rayAlong, kSamplePositions[s]), depth);
+            colors[s] = shaded(surface, p_world, px, s, pixelOfSample(px, bits, s));
+        }
+        o_samples[s] = vec4(colors[s], 1.0);
+    }
+}
+#else
+void main() {
+    ivec2 px = ivec2(v_uv * frameViewport.xy);
+#ifdef LIGHT_TYPE
+    vec3 p_world = positionOnRay(v_rayStart, v_rayAlong, gbufferDepthAt(v_uv));
+#else
+    vec3 p_world = vec3(0.0);
+#endif
+    o_color = vec4(shaded(gbufferSurfaceAt(v_uv), p_world, px, 0, px), 1.0);
+}
+#endif

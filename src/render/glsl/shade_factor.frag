@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The naive ways of composing. ACCUMULATE: adds or multiplies one light's share of shadow; else: applies the factor. COLORED: what is
-// read has red, green and blue.
+// The naive ways of composing. ACCUMULATE: adds or multiplies one light's share of shadow; else: applies the factor, with PIXEL_SAMPLES
+// to each sample of the pixels that show several surfaces, by blending. COLORED: what is read has red, green and blue.
+#include "ombrage/frame.glsl"
+#ifdef PIXEL_SAMPLES
+#include "ombrage/edge_samples.glsl"
+#else
 #include "ombrage/gbuffer.glsl"
+#endif
 
 layout(binding = 5) uniform sampler2D t_visibility;
 layout(binding = 6) uniform sampler2D t_color;
@@ -15,6 +20,21 @@ layout(binding = 7) uniform sampler2D t_factor;
 
 uniform float u_scale;   // overlay: opacity / number of lights
 
+#ifdef PIXEL_SAMPLES
+layout(location = 0) out vec4 o_samples[PIXEL_SAMPLES];
+
+void main() {
+    ivec2 px = ivec2(gl_FragCoord.xy);
+    uint bits = edgeBits(px);
+    if (bits == 0u) discard;
+    for (int s = 0; s < PIXEL_SAMPLES; ++s) {
+        vec3 factor = texelFetch(t_factor, pixelOfSample(px, bits, s), 0).CHANNELS;
+        if (sampleDepth(px, s) == 0.0) factor = vec3(1.0);
+        else if (COMPOSITE != 1) factor = max(1.0 - factor, vec3(0.0));
+        o_samples[s] = vec4(factor, 1.0);
+    }
+}
+#else
 layout(location = 0) out vec4 o_color;
 
 void main() {
@@ -37,3 +57,4 @@ void main() {
 #endif
 #endif
 }
+#endif
