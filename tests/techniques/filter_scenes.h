@@ -97,6 +97,58 @@ inline std::vector<float> filteredShadow(const Scene& scene, const std::string& 
     return {plane.begin(), plane.end()};
 }
 
+/// The lit patch that is 10 pixels wide on a floor in shadow, moved by 20 pixels at once: the brightest pixel of where
+/// it was, two pixels and more from where it is, in each of the frames that follow.
+inline std::vector<double> ghostsOfPatch(const std::string& filter, int frames) {
+    const Scene before = lightThroughHole(-20, -10, -20, 20);
+    RenderSettings settings = squareSettings(kFilterPicture_px);
+    settings.shadow = parsePipeline(Family::Shadow, "shadow/ray-traced+" + filter);
+    settings.light = "sun";
+    Renderer renderer;
+    Scene moved = before;
+    renderer.setScene(moved);
+    renderer.render(settings);
+    for (std::size_t i = 1; i < moved.instances.size(); ++i)
+        moved.instances[i].worldFromLocal[3] = glm::dvec4(20, 0, 0, 1);
+    renderer.moveScene(moved);
+    std::vector<double> ghosts;
+    for (int n = 0; n < frames; ++n) {
+        const Image image = renderer.render(settings).visibility.begin()->second;
+        double largest = 0;
+        for (int x = -20; x < -11; ++x)
+            largest = std::max(largest, double(image.plane(0)[std::size_t(48 * kFilterPicture_px + 48 + x)]));
+        ghosts.push_back(largest);
+    }
+    return ghosts;
+}
+
+/// The quad of quadBeforeRibs() goes to the left by 3 pixels a frame: the three columns that the last frame uncovers,
+/// which have no history.
+inline std::vector<float> uncoveredByQuad(const std::string& pipeline) {
+    const Scene scene = quadBeforeRibs();
+    RenderSettings settings = squareSettings(kFilterPicture_px);
+    settings.ao = parsePipeline(Family::Ao, pipeline);
+    Renderer renderer;
+    renderer.setScene(scene);
+    Scene moved = scene;
+    Image image;
+    for (int i = 0; i < 6; ++i) {
+        moved.instances.back().worldFromLocal[3] = glm::dvec4(-3.0 * i, 0, 0, 1);
+        renderer.moveScene(moved);
+        image = *renderer.render(settings).ao;
+    }
+    std::vector<float> values;
+    for (int y = 36; y < 60; ++y)
+        for (int x = 49; x < 52; ++x) values.push_back(image.plane(0)[std::size_t(y * kFilterPicture_px + x)]);
+    return values;
+}
+
+inline double rmseBetween(const std::vector<float>& a, const std::vector<float>& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += (double(a[i]) - double(b[i])) * (double(a[i]) - double(b[i]));
+    return std::sqrt(sum / double(a.size()));
+}
+
 /// What a filter makes of one lit pixel in the middle of a plane in shadow: value dx to the right and dy up of it.
 class ImpulseResponse {
 public:

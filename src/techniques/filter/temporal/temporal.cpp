@@ -4,6 +4,7 @@
 
 #include "render/frame_context.h"
 #include "render/technique.h"
+#include "techniques/shared/history.h"
 
 namespace ombrage {
 namespace {
@@ -28,12 +29,7 @@ struct TemporalParams {
                  .help("Standard deviations of the 3x3 neighbourhood by which the history may leave its mean: lower "
                        "leaves "
                        "less ghosts and more noise; 0 takes the neighbourhood's mean in the history's place."),
-             field(&P::depthTolerance, "depth-tolerance")
-                 .range(0, 1)
-                 .tune(0.002, 0.1)
-                 .help(
-                     "Difference of depth, as a share of it, beyond which a pixel of the frame before shows something "
-                     "else: higher mixes surfaces, lower forgets slanted ones.")});
+             depthToleranceField(&P::depthTolerance)});
     }
 };
 
@@ -59,32 +55,19 @@ public:
             input.bind(kFirstFreeUnit);
             m_histories[0].bind(kFirstFreeUnit + 1);
             const gl::Program& program = frame.fullscreenProgram(*this, "filter/temporal/temporal.frag");
-            program.set("u_clipNow", frame.centredView.clipFromWorld);
-            program.set("u_clipBefore", frame.previousView.clipFromWorld);
-            program.set("u_viewBefore", frame.previousView.viewFromWorld);
-            program.set("u_hasHistory", m_hasHistory ? 1 : 0);
+            setReprojection(program, frame, m_hasHistory);
             frame.drawFullscreen();
         }
         std::swap(m_histories[0], m_histories[1]);
         m_hasHistory = true;
-        if (frame.wants("temporal-frames")) {
-            const auto frames = frame.targets->take({.format = GL_R16F, .width = frame.width, .height = frame.height},
-                                                    "temporal frames");
-            const gl::Framebuffer target({{frames.get()}}, {}, "temporal frames");
-            target.bind();
-            m_histories[0].bind(kFirstFreeUnit);
-            const FrameContext::Uncounted uncounted(frame);
-            frame.fullscreenProgram(*this, "filter/temporal/frames.frag");
-            frame.drawFullscreen();
-            frame.expose("temporal-frames", *frames, ShowAs::Value);
-        }
+        exposeChannel(frame, "temporal-frames", m_histories[0], 3, 1.0f / 32);
     }
 
     std::uint64_t gpuBytes() const override { return m_histories[0] ? 2 * gl::byteSize(m_histories[0].desc()) : 0; }
 
 private:
-    gl::Texture
-        m_histories[2];  ///< value, number of frames, distance along the view axis; of the frame before, and the next
+    /// Value, nothing, distance along the view axis, number of frames; of the frame before, and the next.
+    gl::Texture m_histories[2];
     bool m_hasHistory = false;
 };
 
