@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gl/objects.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <numeric>
 
@@ -238,6 +240,21 @@ TEST_F(ObjectsTest, MultisampleTargetIsComplete) {
     const Framebuffer target({{&color}}, {&depth}, "multisample");
     target.clearColor(0, glm::vec4(1));
     target.bind();
+}
+
+TEST_F(ObjectsTest, SamplesLieInTheirPixels) {
+    const std::vector<int> counts = sampleCounts(GL_RGBA32UI);
+    ASSERT_FALSE(counts.empty());
+    EXPECT_TRUE(std::is_sorted(counts.rbegin(), counts.rend()));
+    const Texture color({TextureKind::Multisample2D, GL_RGBA32UI, 4, 4, 1, 1, counts.front()}, "samples");
+    const std::vector<glm::vec2> positions = Framebuffer({{&color}}, {}, "multisample").samplePositions();
+    EXPECT_EQ(positions.size(), std::size_t(counts.front()));
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        EXPECT_LE(std::max(std::abs(positions[i].x), std::abs(positions[i].y)), 0.5f);
+        for (std::size_t j = 0; j < i; ++j) EXPECT_NE(positions[i], positions[j]);
+    }
+    const Texture plain({TextureKind::Tex2D, GL_RGBA8, 4, 4}, "plain");
+    EXPECT_EQ(Framebuffer({{&plain}}, {}, "plain").samplePositions(), std::vector<glm::vec2>{glm::vec2(0)});
 }
 
 TEST_F(ObjectsTest, RefusedSizeIsAnError) {

@@ -123,7 +123,8 @@ Composed Composer::compose(FrameContext& frame, const RenderSettings& settings, 
                                                .layers = frame.gbuffer->layout.samples.count},
                                               "edge colors");
         const auto pass = frame.pass("lighting of edges");
-        const gl::Framebuffer target(layersOf(*made.edgeColors), {&frame.gbuffer->depth}, "lighting of edges");
+        const gl::Framebuffer target(layersOf(*made.edgeColors), {&frame.gbuffer->samples->selector},
+                                     "lighting of edges");
         target.bind();
         light(frame, settings, lights, ao, indirect, true);
     }

@@ -59,13 +59,19 @@ GBufferSamples makeSamples(const GBufferLayout& layout) {
     }
     made.framebuffer = gl::Framebuffer(colors, {&made.depth}, "g-buffer samples");
     made.positions = made.framebuffer.samplePositions();
-    made.edges = gl::Texture({.format = GL_R32UI, .width = layout.width, .height = layout.height}, "edge pixels");
+    const auto flat = [&](GLenum format, const char* label) {
+        return gl::Texture({.format = format, .width = layout.width, .height = layout.height}, label);
+    };
+    made.edges = flat(GL_R32UI, "edge pixels");
+    made.several = flat(GL_R8UI, "pixels of several triangles");
+    made.selector = flat(GL_DEPTH_COMPONENT32F, "selector");
     return made;
 }
 
 std::uint64_t byteSize(const GBufferSamples& samples) {
     std::uint64_t bytes = 0;
-    for (const gl::Texture* plane : {&samples.depth, &samples.surface, &samples.material, &samples.edges})
+    for (const gl::Texture* plane :
+         {&samples.depth, &samples.surface, &samples.material, &samples.edges, &samples.several, &samples.selector})
         if (*plane) bytes += gl::byteSize(plane->desc());
     return bytes;
 }
@@ -92,28 +98,41 @@ void bindSamples(const GBuffer& gbuffer) {
 
 void makePixels(FrameContext& frame) {
     const GBuffer& gbuffer = *frame.gbuffer;
-    const auto draw = [&](const char* fragment) {
+    const GBufferSamples& samples = *gbuffer.samples;
+    const auto use = [&](const char* fragment) {
         frame.program({{GL_VERTEX_SHADER, "ombrage/fullscreen.vert"}, {GL_FRAGMENT_SHADER, fragment}},
                       sampleDefines(gbuffer));
-        frame.drawFullscreen();
     };
+    // Every pixel's depth is written, the sky's too.
+    gl::DrawState writesDepth;
+    writesDepth.depthTest = writesDepth.depthWrite = true;
+    writesDepth.depthFunc = GL_ALWAYS;
     {
         const auto pass = frame.pass("g-buffer pixels");
-        gbuffer.framebuffer.bind();
-        // Every pixel's depth is written, the sky's too.
-        gl::DrawState state;
-        state.depthTest = state.depthWrite = true;
-        state.depthFunc = GL_ALWAYS;
-        gl::apply(state);
+        std::vector<gl::Attachment> colors{{&gbuffer.surface}, {&samples.several}};
+        if (gbuffer.material) colors.push_back({&gbuffer.material});
+        const gl::Framebuffer target(colors, {&gbuffer.depth}, "g-buffer pixels");
+        target.bind();
+        gl::apply(writesDepth);
         bindSamples(gbuffer);
-        draw("ombrage/pixel_of_samples.frag");
+        use("ombrage/pixel_of_samples.frag");
+        frame.drawFullscreen();
     }
     const auto pass = frame.pass("edge pixels");
-    const gl::Framebuffer target({{&gbuffer.samples->edges}}, {}, "edge pixels");
+    {
+        const gl::Framebuffer target({}, {&samples.selector}, "selector");
+        target.bind();
+        gl::apply(writesDepth);
+        samples.several.bind(kFirstFreeUnit);
+        use("ombrage/selector.frag");
+        frame.drawFullscreen();
+    }
+    const gl::Framebuffer target({{&samples.edges}}, {&samples.selector}, "edge pixels");
     target.bind();
-    gl::apply({});
+    target.clearColorUint(0, glm::uvec4(0u));
     frame.bindGBuffer();
-    draw("ombrage/edge_pixels.frag");
+    use("ombrage/edge_pixels.frag");
+    frame.drawSurfaces();
 }
 
 }  // namespace ombrage

@@ -40,6 +40,9 @@ struct GBufferSamples {
     /// R32UI, one texel per pixel: 0 where all samples show one surface; else four bits for each sample: from which pixel of
     /// the 3x3 around it the sample takes what is known of pixels alone (ombrage/edge_samples.glsl).
     gl::Texture edges;
+    gl::Texture several;    ///< R8UI: 1 where a pixel's samples show several triangles
+    /// The same as a depth, 1 or 0: attached in the place of the G-buffer's, drawSurfaces() draws these pixels alone.
+    gl::Texture selector;
 };
 
 /// The picture's geometry, one texel per pixel. Depth 0 is the sky.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which pixels show several surfaces, and from which pixel each of their samples takes what is known of pixels alone: visibility,
+// Which of the pixels of several triangles show several surfaces, and from which pixel each of their samples takes what is known of pixels alone: visibility,
 // occlusion, indirect light.
 #include "ombrage/frame.glsl"
 #include "ombrage/edge_samples.glsl"
@@ -66,9 +66,8 @@ void main() {
 #ifdef SAMPLE_MATERIALS
     pixelMaterial = texelFetch(t_material, px, 0).r;
 #endif
-    // A pixel whose samples all show the sky has that for its depth.
     bool differs = false;
-    for (int s = 0; s < PIXEL_SAMPLES && pixelDepth > 0.0; ++s) {
+    for (int s = 0; s < PIXEL_SAMPLES; ++s) {
         float depth = sampleDepth(px, s);
         uvec4 surface = sampleSurface(px, s);
         uint source = 4u;

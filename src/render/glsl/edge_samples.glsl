@@ -8,6 +8,7 @@ layout(binding = 9) uniform usampler2DMS t_sampleSurface;
 layout(binding = 10) uniform usampler2DMS t_sampleMaterial;
 layout(binding = 11) uniform usampler2D t_edges;
 
+const uint kSky = 0xffffffffu;   // in the place of a triangle
 const vec2 kSamplePositions[PIXEL_SAMPLES] = PIXEL_SAMPLE_POSITIONS;
 
 float sampleDepth(ivec2 px, int s) { return texelFetch(t_sampleDepth, px, s).r; }

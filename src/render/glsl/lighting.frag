@@ -25,7 +25,6 @@ noperspective in vec3 v_rayStart;
 noperspective in vec3 v_rayAlong;
 #ifdef PIXEL_SAMPLES
 layout(location = 0) out vec4 o_samples[PIXEL_SAMPLES];
-const uint kSky = 0xffffffffu;
 #define MATERIAL_OF(px, s) unpackUnorm4x8(sampleMaterial(px, s))
 #else
 #define MATERIAL_OF(px, s) gbufferMaterial(px)

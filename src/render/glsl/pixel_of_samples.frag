@@ -7,8 +7,9 @@ noperspective in vec2 v_uv;
 noperspective in vec3 v_rayStart;
 noperspective in vec3 v_rayAlong;
 layout(location = 0) out uvec4 o_surface;
+layout(location = 1) out uint o_several;
 #ifdef SAMPLE_MATERIALS
-layout(location = 1) out uint o_material;
+layout(location = 2) out uint o_material;
 #endif
 
 // Reversed-Z depth of a view distance.
@@ -36,39 +37,41 @@ float depthAtCentre(uvec4 surface, float depth, vec2 offset_px) {
 void main() {
     ivec2 px = ivec2(v_uv * frameViewport.xy);
     float depths[PIXEL_SAMPLES];
-    uvec4 surfaces[PIXEL_SAMPLES];
+    uint triangles[PIXEL_SAMPLES];
     float sum = 0.0, largest = 0.0, smallest = 1.0;
     bool same = true;
     for (int s = 0; s < PIXEL_SAMPLES; ++s) {
         depths[s] = sampleDepth(px, s);
-        surfaces[s] = sampleSurface(px, s);
+        triangles[s] = depths[s] > 0.0 ? sampleSurface(px, s).w : kSky;
         sum += depths[s];
         largest = max(largest, depths[s]);
         smallest = min(smallest, depths[s]);
-        same = same && depths[s] > 0.0 && surfaces[s].w == surfaces[0].w;
+        same = same && triangles[s] == triangles[0];
     }
     // The surface of the most samples, of equals the nearer one; the sky only where there is nothing else.
     int shown = 0, most = 0;
+    float depth = 0.0;
+    vec2 offset_px = kSamplePositions[0];
     for (int s = 0; s < PIXEL_SAMPLES; ++s) {
         int count = 0;
-        for (int r = 0; r < PIXEL_SAMPLES; ++r) count += surfaces[r].w == surfaces[s].w && depths[r] > 0.0 ? 1 : 0;
-        if (depths[s] > 0.0 && (count > most || (count == most && depths[s] > depths[shown]))) {
-            most = count;
-            shown = s;
-        }
+        for (int r = 0; r < PIXEL_SAMPLES; ++r) count += triangles[r] == triangles[s] ? 1 : 0;
+        if (triangles[s] == kSky || count < most || (count == most && depths[s] <= depth)) continue;
+        most = count;
+        shown = s;
+        depth = depths[s];
+        offset_px = kSamplePositions[s];
     }
-    o_surface = surfaces[shown];
-    gl_FragDepth = depths[shown];
+    uvec4 surface = sampleSurface(px, shown);
+    o_surface = surface;
+    o_several = same ? 0u : 1u;
 #ifdef SAMPLE_MATERIALS
     o_material = sampleMaterial(px, shown);
 #endif
-    if (depths[shown] == 0.0) return;
 #ifdef BALANCED_SAMPLES
     // Depth is linear over the picture: the mean of one triangle's samples is its centre's.
-    if (same) {
-        gl_FragDepth = beforeRounding(sum / float(PIXEL_SAMPLES), largest - smallest);
-        return;
-    }
+    float inside = beforeRounding(sum / float(PIXEL_SAMPLES), largest - smallest);
+#else
+    float inside = depthAtCentre(surface, depth, offset_px);
 #endif
-    gl_FragDepth = depthAtCentre(surfaces[shown], depths[shown], kSamplePositions[shown]);
+    gl_FragDepth = depth == 0.0 ? 0.0 : same ? inside : depthAtCentre(surface, depth, offset_px);
 }

@@ -59,20 +59,20 @@ private:
     void resolve(FrameContext& frame, const gl::Texture& input, const gl::Texture& output,
                  const gl::Texture* surfaces) {
         const auto pass = frame.pass("msaa resolve");
+        copyTexture(input, output);
         std::vector<gl::Attachment> targets{{&output}};
         auto defines = sampleDefines(*frame.gbuffer);
         if (surfaces) {
             targets.push_back({surfaces});
             defines.emplace_back("WRITE_SURFACES", "1");
         }
-        const gl::Framebuffer target(targets, {}, "msaa resolve");
+        const gl::Framebuffer target(targets, {&frame.gbuffer->samples->selector}, "msaa resolve");
         target.bind();
-        gl::apply({});
+        if (surfaces) target.clearColor(1, glm::vec4(0.0f));
         bindSamples(*frame.gbuffer);
-        input.bind(kFirstFreeUnit);
-        frame.edgeColors->bind(kFirstFreeUnit + 1);
+        frame.edgeColors->bind(kFirstFreeUnit);
         frame.fullscreenProgram(*this, "aa/msaa/resolve.frag", std::move(defines));
-        frame.drawFullscreen();
+        frame.drawSurfaces();
     }
 
     static void countEdges(FrameContext& frame) {

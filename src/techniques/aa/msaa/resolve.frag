@@ -4,8 +4,7 @@
 #include "ombrage/frame.glsl"
 #include "ombrage/edge_samples.glsl"
 
-layout(binding = 5) uniform sampler2D t_picture;
-layout(binding = 6) uniform sampler2DArray t_edgeColors;   // a layer for each sample
+layout(binding = 5) uniform sampler2DArray t_edgeColors;   // a layer for each sample
 
 layout(location = 0) out vec4 o_color;
 #ifdef WRITE_SURFACES
@@ -22,11 +21,7 @@ float weightOf(vec3 color) {
 
 void main() {
     ivec2 px = ivec2(gl_FragCoord.xy);
-    o_color = texelFetch(t_picture, px, 0);
-#ifdef WRITE_SURFACES
-    o_others = 0.0;
-#endif
-    if (edgeBits(px) == 0u) return;
+    if (edgeBits(px) == 0u) discard;
     vec3 sum = vec3(0.0);
     float weights = 0.0;
     for (int s = 0; s < PIXEL_SAMPLES; ++s) {
@@ -35,8 +30,9 @@ void main() {
         sum += weight * color;
         weights += weight;
     }
-    o_color.rgb = sum / weights;
+    o_color = vec4(sum / weights, 1.0);
 #ifdef WRITE_SURFACES
+    o_others = 0.0;
     for (int s = 1; s < PIXEL_SAMPLES; ++s) {
         bool isSky = sampleDepth(px, s) == 0.0, firstIsSky = sampleDepth(px, 0) == 0.0;
         bool isOther = isSky != firstIsSky || (!isSky && sampleSurface(px, s).w != sampleSurface(px, 0).w);
