@@ -41,7 +41,7 @@ vec3 metallicRoughness(vec3 albedo, float metallic, float roughness, float nl, f
     float distribution = a2 / (kPi * d * d);
     float visibilityTerm = 0.5 / (nl * sqrt(nv * nv * (1.0 - a2) + a2) + nv * sqrt(nl * nl * (1.0 - a2) + a2) + 1e-6);
     vec3 f0 = mix(vec3(0.04), albedo, metallic);
-    vec3 fresnel = f0 + (1.0 - f0) * pow(1.0 - vh, 5.0);
+    vec3 fresnel = f0 + (1.0 - f0) * pow(max(1.0 - vh, 0.0), 5.0);
     return (1.0 - fresnel) * (1.0 - metallic) * albedo / kPi + fresnel * distribution * visibilityTerm;
 }
 

@@ -99,6 +99,40 @@ TEST(Msaa, SurfacesAreAsGoodAsWithEverySampleLit) {
     }
 }
 
+TEST(Msaa, MaterialsLightsAndOcclusionReachTheSamples) {
+    // Lamps with their own reflections, and occlusion in the place of the ambient term, of every sample's own surface.
+    const auto shownAs = [](const std::string& scene, const std::string& aa) {
+        RenderSettings settings;
+        settings.width = 320;
+        settings.height = 180;
+        settings.shading = Shading::Pbr;
+        settings.ambient = AmbientTerm::Ao;
+        settings.ao = parsePipeline(Family::Ao, "ao/blocks:rotation=none");
+        settings.aa = parsePipeline(Family::Aa, aa);
+        RenderResult result = renderScene(Bench::of(scene).scene(), settings);
+        EXPECT_TRUE(result.debugMessages.empty()) << result.debugMessages.front();
+        // A half vector along the view may be longer than 1 by rounding: Fresnel's power of that was no number.
+        for (const float v : result.picture.plane(1)) EXPECT_TRUE(std::isfinite(v)) << aa;
+        return result.picture;
+    };
+    for (const char* scene : {"many-lights", "nave"}) {
+        const Image truth = shownAs(scene, "aa/ssaa:grid=8");
+        const auto errorOf = [&](const std::string& aa) {
+            const Image picture = shownAs(scene, aa);
+            double sum = 0;
+            for (std::size_t i = 0; i < picture.plane(1).size(); ++i) {
+                const auto seen = [i](const Image& image) {
+                    return double(srgbFromLinear(std::clamp(image.plane(1)[i], 0.0f, 1.0f)));
+                };
+                sum += (seen(picture) - seen(truth)) * (seen(picture) - seen(truth));
+            }
+            return std::sqrt(sum);
+        };
+        // Measured 0.35 and 0.43 (bumps are lit once a pixel), four whole frames 0.34 and 0.28.
+        EXPECT_LT(errorOf("aa/msaa"), 0.5 * errorOf("aa/none")) << scene;
+    }
+}
+
 /// Share of the pixels of one surface whose light multisampling changes.
 double changedShare(const std::string& scene, const std::string& shadow) {
     const RenderResult one = renderSmall(scene, "aa/none", shadow),
