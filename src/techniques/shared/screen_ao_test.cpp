@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "technique_case.h"
+#include "techniques/technique_case.h"
 
 namespace ombrage {
 namespace {
