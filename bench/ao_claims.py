@@ -20,6 +20,8 @@ import subprocess
 import sys
 
 DEPTHS = [8, 16, 32, 64]
+# Each slice is looked along both ways.
+SLICES = {8: "slices=1,steps=4", 16: "slices=2,steps=4", 32: "slices=2,steps=8", 64: "slices=4,steps=8"}
 FAMILIES = {
     "ao/blocks": lambda n: f"samples={n}",
     "ao/crytek": lambda n: f"pairs={n // 2}",
@@ -29,8 +31,8 @@ FAMILIES = {
     "ao/alchemy": lambda n: f"samples={n}",
     "ao/sao": lambda n: f"samples={n}",
     "ao/hbao": lambda n: f"directions={max(2, n // 8)},steps={n // max(2, n // 8)}",
-    "ao/gtao": lambda n: f"slices={max(1, n // 16)},steps={n // (2 * max(1, n // 16))}",
-    "ao/vbao": lambda n: f"slices={max(1, n // 16)},steps={n // (2 * max(1, n // 16))}",
+    "ao/gtao": lambda n: SLICES[n],
+    "ao/vbao": lambda n: SLICES[n],
 }
 FILTER = "filter/bilateral-separable"
 

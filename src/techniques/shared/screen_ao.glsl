@@ -82,11 +82,10 @@ bool aoSurface(vec2 at_px, out vec3 q_view) {
                        (ivec2(frameViewport.xy) - 1 - part) / AO_PART_STRIDE);
     vec2 uv = (vec2(cell * AO_PART_STRIDE + part) + 0.5) * frameViewport.zw;
     float depth = texelFetch(t_aoParts, part * aoPartSize() + cell, 0).r;
-    q_view = positionViewFromDepth(uv, depth);
-    return depth != 0.0;
-#endif
+#else
     vec2 uv = (floor(at_px) + 0.5) * frameViewport.zw;
     float depth = gbufferDepthAt(uv);
+#endif
     q_view = positionViewFromDepth(uv, depth);
     return depth != 0.0;
 }
