@@ -33,9 +33,9 @@ Difference between(const std::string& technique, const std::string& pixels) {
     return difference;
 }
 
-// Without noise the walls' occlusion is smooth: what is filled in from receivers two pixels apart, or from samples up
-// to two pixels beside their place, differs by what occlusion changes over such a distance: 1 % on the average. A
-// picture put together wrongly differs by as much as a corner does from an open wall (0.1 on the average).
+// Without noise the walls' occlusion is smooth: what is filled in from receivers two pixels apart differs by what
+// occlusion changes over such a distance: 1 % on the average. A picture put together wrongly differs by as much as a
+// corner does from an open wall.
 TEST(ScreenAo, HalfTheReceiversGiveNearlyTheSamePicture) {
     const Difference difference = between("ao/gtao:slices=4,steps=16", "half");
     EXPECT_GT(difference.mean, 0.0);
@@ -43,12 +43,14 @@ TEST(ScreenAo, HalfTheReceiversGiveNearlyTheSamePicture) {
     EXPECT_LT(difference.greatest, 0.25);
 }
 
+// Samples lie up to two pixels beside their place, which moves what they find by a few percent of the radius, 30 pixels
+// here. A part's pixels are four apart: beside a crease, half of whose wall lies within them, it may be missed.
 TEST(ScreenAo, DeinterleavedPartsGiveNearlyTheSamePicture) {
     for (const char* technique : {"ao/gtao:slices=4,steps=16", "ao/hbao:directions=16,steps=16,jitter=false"}) {
         const Difference difference = between(technique, "deinterleaved");
         EXPECT_GT(difference.mean, 0.0) << technique;
-        EXPECT_LT(difference.mean, 0.01) << technique;
-        EXPECT_LT(difference.greatest, 0.25) << technique;
+        EXPECT_LT(difference.mean, 0.015) << technique;
+        EXPECT_LT(difference.greatest, 0.5) << technique;
     }
 }
 
