@@ -43,8 +43,8 @@ TEST(ScreenAo, HalfTheReceiversGiveNearlyTheSamePicture) {
     EXPECT_LT(difference.greatest, 0.25);
 }
 
-// Samples lie up to two pixels beside their place, which moves what they find by a few percent of the radius, 30 pixels
-// here. A part's pixels are four apart: beside a crease, half of whose wall lies within them, it may be missed.
+// Samples lie up to two pixels beside their place. A part's pixels are four apart: beside a crease, half of whose wall
+// lies within them, it may be missed.
 TEST(ScreenAo, DeinterleavedPartsGiveNearlyTheSamePicture) {
     for (const char* technique : {"ao/gtao:slices=4,steps=16", "ao/hbao:directions=16,steps=16,jitter=false"}) {
         const Difference difference = between(technique, "deinterleaved");
