@@ -80,7 +80,8 @@ int runReference(const Options& options) {
     const std::optional<TruthKind> asked = reference.kind;
     const bool isDisplaced = asked == TruthKind::Displaced;
     if (isDisplaced) reference.kind = TruthKind::T1;
-    const Reference truth(isDisplaced ? displaced(scene) : scene);
+    const Scene traced = isDisplaced ? displaced(scene) : scene;
+    const Reference truth(traced);
 
     std::string extension = std::filesystem::path(file).extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),

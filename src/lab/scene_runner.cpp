@@ -140,7 +140,8 @@ SceneRunner::AoCase& SceneRunner::aoCase(TruthKind kind, const Pipeline& pipelin
     made.kind = kind;
     made.pipeline = claimed;
     if (kind == TruthKind::Displaced) {
-        const Reference reference(displaced(m_moved));
+        const Scene traced = displaced(m_moved);
+        const Reference reference(traced);
         options.kind = TruthKind::T1;
         made.receivers = reference.receivers(camera, options);
         made.truth = reference.ao(*made.receivers, camera, options);

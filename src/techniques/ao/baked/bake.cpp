@@ -141,6 +141,9 @@ Values estimate(const Scene& scene, const FlatScene& flat, const Layout& layout,
         const std::size_t first = std::size_t(row) * kRow;
         for (std::size_t i = first; i < std::min(first + kRow, count); ++i) {
             const SurfacePoint point = pointOf(flat, samples.places[i], inset_m);
+            // Triangles with corners that are no numbers have no place to look from.
+            const glm::dvec3 sum = point.position + point.normal + point.shadingNormal;
+            if (!std::isfinite(sum.x + sum.y + sum.z)) continue;
             values.visibility[i] = float(estimator.at(point, hashCombine(kSeed, std::uint32_t(i))).mean);
             if (options.dilate) values.isKnown[i] = isInside(rays, flat, layout, point) ? 0 : 1;
         }
